@@ -1,0 +1,38 @@
+#pragma once
+// Whole files in, whole files out. A file under its final name is always complete.
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace fascicle {
+
+/// Reads a whole file. Error naming the file and the system's reason when it cannot be read, is a folder, or is
+/// larger than `max_bytes`.
+std::string read_file(const std::filesystem::path& path, std::size_t max_bytes = std::size_t{4} << 30);
+
+/// Writes to a temporary file in the same folder; commit() flushes, checks and renames it to `path`.
+/// Without commit() the destructor removes it: no half-written file is left under a final name.
+class AtomicFile {
+public:
+    /// Creates missing parent folders. Error naming the file and the system's reason.
+    explicit AtomicFile(std::filesystem::path path);
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    std::ostream& stream() { return stream_; }
+    void write(const void* data, std::size_t size);
+    /// Error naming the file when writing failed (disk full, folder gone).
+    void commit();
+
+private:
+    std::filesystem::path path_;
+    std::filesystem::path temporary_;
+    std::ofstream stream_;
+};
+
+/// AtomicFile for text or bytes that are already in memory.
+void write_file(const std::filesystem::path& path, const std::string& bytes);
+
+} // namespace fascicle

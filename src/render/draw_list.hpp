@@ -1,0 +1,63 @@
+#pragma once
+// What is to be drawn, as plain data. render draws it and knows no scene; view makes it and knows no GL.
+// Colours are sRGB in 0..1; lengths in scene units; arrays are shared and immutable so that caches can compare pointers.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fascicle::render {
+
+using Vec3f = std::array<float, 3>;
+using Rgba = std::array<float, 4>;
+/// Column-major 4x4, as OpenGL and GLM store it.
+using Mat4f = std::array<float, 16>;
+
+/// A triangle surface. normals and colours: one per vertex or empty (flat colour, normals computed by the caller).
+struct SurfaceItem {
+    std::uint64_t id = 0; ///< stable per object: the renderer keeps GPU buffers under it
+    std::shared_ptr<const std::vector<Vec3f>> positions;
+    std::shared_ptr<const std::vector<Vec3f>> normals;
+    std::shared_ptr<const std::vector<std::array<std::uint32_t, 3>>> triangles;
+    std::shared_ptr<const std::vector<Rgba>> vertex_colours; ///< null: colour
+    Rgba colour{0.8f, 0.8f, 0.8f, 1.0f};                     ///< alpha < 1 is drawn after the opaque items
+    Mat4f model{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    float gloss = 0.2f;     ///< 0 chalk, 1 wet
+    bool wireframe = false; ///< edges over the surface
+};
+
+/// Separate line segments: points 2k and 2k+1 make a segment.
+struct LineItem {
+    std::shared_ptr<const std::vector<Vec3f>> points;
+    std::shared_ptr<const std::vector<Rgba>> point_colours; ///< null: colour
+    Rgba colour{0, 0, 0, 1};
+    float width_px = 1.0f;
+    bool on_top = false; ///< drawn over everything (axes, rings)
+};
+
+/// Camera of a picture. Right-handed view space; depth 0..1 handled by the renderer.
+struct CameraPose {
+    Mat4f view{};
+    Mat4f projection{};
+    Vec3f eye{};
+};
+
+struct DrawList {
+    std::vector<SurfaceItem> surfaces;
+    std::vector<LineItem> lines;
+    CameraPose camera;
+    Rgba background_top{0.93f, 0.94f, 0.96f, 1};
+    Rgba background_bottom{0.78f, 0.81f, 0.85f, 1};
+};
+
+/// An 8-bit sRGB picture, rows from the top, 4 bytes a pixel (RGBA).
+struct Image {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> rgba;
+};
+
+} // namespace fascicle::render
