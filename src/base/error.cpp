@@ -2,7 +2,8 @@
 
 namespace fascicle {
 
-void throw_error(const std::string& where, const std::string& what, const std::string& expected, ErrorKind kind) {
+void throw_error(const std::string& where, const std::string& what, const std::string& expected,
+                 ErrorKind kind) {
     std::string message = where.empty() ? what : where + ": " + what;
     if (!expected.empty())
         message += "; expected " + expected;

@@ -1,6 +1,7 @@
 #pragma once
 // What is to be drawn, as plain data. render draws it and knows no scene; view makes it and knows no GL.
-// Colours are sRGB in 0..1; lengths in scene units; arrays are shared and immutable so that caches can compare pointers.
+// Colours are sRGB in 0..1; lengths in scene units; arrays are shared and immutable so that caches can
+// compare pointers.
 
 #include <array>
 #include <cstdint>
@@ -16,7 +17,8 @@ using Rgba = std::array<float, 4>;
 /// Column-major 4x4, as OpenGL and GLM store it.
 using Mat4f = std::array<float, 16>;
 
-/// A triangle surface. normals and colours: one per vertex or empty (flat colour, normals computed by the caller).
+/// A triangle surface. normals and colours: one per vertex or empty (flat colour, normals computed by the
+/// caller).
 struct SurfaceItem {
     std::uint64_t id = 0; ///< stable per object: the renderer keeps GPU buffers under it
     std::shared_ptr<const std::vector<Vec3f>> positions;

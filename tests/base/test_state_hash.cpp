@@ -21,7 +21,8 @@ TEST_CASE("positive and negative zero hash alike, any other bit does not", "[bas
     CHECK(a.value() != c.value());
 }
 
-TEST_CASE("parallel_for covers every index once, with the same chunks for any thread count", "[base][parallel]") {
+TEST_CASE("parallel_for covers every index once, with the same chunks for any thread count",
+          "[base][parallel]") {
     const int threads = GENERATE(1, 2, 3, 8);
     std::vector<int> seen(1003, 0);
     std::vector<std::size_t> ends(11, 0);

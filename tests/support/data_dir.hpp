@@ -20,10 +20,10 @@ inline std::optional<std::filesystem::path> data_dir() {
 } // namespace fascicle::test
 
 /// First line of a test that needs real data: ends the test as "skipped" in CTest when there is none.
-#define FASCICLE_NEED_DATA(dir)                                                                                \
-    const auto maybe_data_dir = fascicle::test::data_dir();                                                    \
-    if (!maybe_data_dir) {                                                                                     \
-        WARN("fascicle-skip: no ../shared/data and FASCICLE_DATA is not set");                                 \
-        return;                                                                                                \
-    }                                                                                                          \
+#define FASCICLE_NEED_DATA(dir)                                                                              \
+    const auto maybe_data_dir = fascicle::test::data_dir();                                                  \
+    if (!maybe_data_dir) {                                                                                   \
+        WARN("fascicle-skip: no ../shared/data and FASCICLE_DATA is not set");                               \
+        return;                                                                                              \
+    }                                                                                                        \
     const std::filesystem::path dir = *maybe_data_dir

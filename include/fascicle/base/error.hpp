@@ -1,5 +1,6 @@
 #pragma once
-// Errors that a user can cause. Every message is one line: what, where (file, line or byte), what was expected.
+// Errors that a user can cause. Every message is one line: what, where (file, line or byte), what was
+// expected.
 
 #include <stdexcept>
 #include <string>
@@ -21,8 +22,8 @@ private:
 
 /// Builds "where: what; expected ..." and throws it. `expected` may be empty.
 /// Line breaks and other control characters in the parts are replaced, so that the message stays one line.
-[[noreturn]] void throw_error(const std::string& where, const std::string& what, const std::string& expected = {},
-                              ErrorKind kind = ErrorKind::failed);
+[[noreturn]] void throw_error(const std::string& where, const std::string& what,
+                              const std::string& expected = {}, ErrorKind kind = ErrorKind::failed);
 
 /// Thrown by long work when its JobControl asks it to stop. Not an error: the caller keeps what is done.
 class Cancelled : public std::exception {

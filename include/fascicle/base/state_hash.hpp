@@ -1,5 +1,6 @@
 #pragma once
-// A 64-bit FNV-1a hash of bytes: tells whether two states or two files are the same, not a cryptographic promise.
+// A 64-bit FNV-1a hash of bytes: tells whether two states or two files are the same, not a cryptographic
+// promise.
 
 #include "fascicle/base/types.hpp"
 

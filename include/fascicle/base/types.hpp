@@ -1,5 +1,6 @@
 #pragma once
-// The few number types that every module shares. Lengths are in scene units (mm or m) unless a name says otherwise.
+// The few number types that every module shares. Lengths are in scene units (mm or m) unless a name says
+// otherwise.
 
 #include <Eigen/Core>
 #include <array>

@@ -8,7 +8,8 @@
 namespace fascicle {
 
 /// positions: V points; triangles: T index triples into positions, counter-clockwise seen from outside.
-/// A vertex that no triangle uses is allowed (the order of an input file is kept) and takes no part in anything.
+/// A vertex that no triangle uses is allowed (the order of an input file is kept) and takes no part in
+/// anything.
 struct TriMesh {
     Points positions;
     std::vector<Tri> triangles;

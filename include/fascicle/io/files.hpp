@@ -7,8 +7,8 @@
 
 namespace fascicle {
 
-/// Reads a whole file. Error naming the file and the system's reason when it cannot be read, is a folder, or is
-/// larger than `max_bytes`.
+/// Reads a whole file. Error naming the file and the system's reason when it cannot be read, is a folder, or
+/// is larger than `max_bytes`.
 std::string read_file(const std::filesystem::path& path, std::size_t max_bytes = std::size_t{4} << 30);
 
 /// Writes to a temporary file in the same folder; commit() flushes, checks and renames it to `path`.

@@ -1,0 +1,42 @@
+#pragma once
+// Metrics as rows: name, unit and a function of one frame of one muscle. CSV, plots and the summary find them
+// here.
+
+#include "fascicle/scene/recording.hpp"
+
+#include <functional>
+
+namespace fascicle {
+
+class MuscleMeasure; // the quantities of one frame of one muscle (metrics/muscle_measure.hpp)
+
+struct MetricRow {
+    std::string key;   ///< column name in metrics.csv, unit as suffix
+    std::string label; ///< shown to people
+    std::string unit;
+    std::string meaning;
+    std::function<double(const MuscleMeasure&)> value;
+};
+
+/// The first rows are those of the contract after frame, muscle and angle_deg, in its order.
+const std::vector<MetricRow>& metric_table();
+
+/// Values of all rows for frames of a recording. Keeps what may be reused between frames (rest quantities,
+/// bounds for the penetration test): any order of frames is right, ascending order is fast. Not thread-safe.
+class MetricsEngine {
+public:
+    /// rest: frame 0 of the recording.
+    MetricsEngine(ScenePtr scene, const Frame& rest, int threads = 1);
+    ~MetricsEngine();
+    MetricsEngine(const MetricsEngine&) = delete;
+    MetricsEngine& operator=(const MetricsEngine&) = delete;
+
+    /// One list of values per muscle, in the order of metric_table().
+    std::vector<std::vector<double>> measure(const Frame& frame);
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace fascicle

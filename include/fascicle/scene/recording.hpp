@@ -1,0 +1,79 @@
+#pragma once
+// What a run produces: immutable frames, appended by the simulation's thread and read by anybody at the same
+// time.
+
+#include "fascicle/scene/scene.hpp"
+
+#include <cstdint>
+#include <map>
+#include <mutex>
+
+namespace fascicle {
+
+using PointsPtr = std::shared_ptr<const Points>;
+
+/// What the solver says of one frame. Times are seconds of the frame's solving alone.
+struct FrameReport {
+    double solve_seconds = 0;
+    std::map<std::string, double> stage_seconds; ///< per stage, e.g. "contact"
+    std::int64_t contacts = 0;                   ///< contact projections that moved a vertex
+    std::int64_t ejected = 0;                    ///< vertices that had to be put outside by force
+    std::int64_t non_finite = 0; ///< vertices whose new position was not finite and was refused
+};
+
+/// One frame of a run. muscle_positions: one array per muscle, vertices in the order of its mesh.
+struct Frame {
+    int index = 0;
+    double angle_rad = 0;
+    std::vector<Pose> bone_poses; ///< one per bone, from the rest pose
+    std::vector<PointsPtr> muscle_positions;
+    FrameReport report;
+};
+
+using FramePtr = std::shared_ptr<const Frame>;
+
+enum class RunState { running, finished, cancelled, failed };
+
+/// Append-only and thread-safe. Frame 0 is rest after clean-up; later frames are measured against its
+/// positions.
+class Recording {
+public:
+    explicit Recording(ScenePtr scene) : scene_(std::move(scene)) {}
+
+    const Scene& scene() const { return *scene_; }
+    ScenePtr scene_ptr() const { return scene_; }
+
+    /// The attachments in force (resolved from outlines or distance), one list per muscle. Set before frame
+    /// 0.
+    void set_attachments(std::vector<std::vector<Attachment>> attachments);
+    std::vector<std::vector<Attachment>> attachments() const;
+    /// Sentences for the user: what was mended, attached, moved out, assumed.
+    void add_note(std::string note);
+    std::vector<std::string> notes() const;
+    void set_prepare_seconds(double seconds);
+    double prepare_seconds() const;
+
+    void append(FramePtr frame);
+    int frame_count() const; ///< frames so far, rest included
+    /// Frame k, 0 <= k < frame_count(); null otherwise.
+    FramePtr frame(int k) const;
+    FramePtr last_frame() const;
+
+    RunState state() const;
+    std::string failure() const;
+    void finish(RunState state, std::string failure = {});
+
+private:
+    ScenePtr scene_;
+    mutable std::mutex mutex_;
+    std::vector<FramePtr> frames_;
+    std::vector<std::vector<Attachment>> attachments_;
+    std::vector<std::string> notes_;
+    double prepare_seconds_ = 0;
+    RunState state_ = RunState::running;
+    std::string failure_;
+};
+
+using RecordingPtr = std::shared_ptr<Recording>;
+
+} // namespace fascicle

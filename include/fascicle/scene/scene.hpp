@@ -1,0 +1,64 @@
+#pragma once
+// A scene as a plain value: what is simulated, how it moves, with which parameters. Copies are cheap: meshes
+// are shared and never change. Rest positions are those of the meshes.
+
+#include "fascicle/anatomy/attachment.hpp"
+#include "fascicle/base/param_table.hpp"
+#include "fascicle/geometry/tri_mesh.hpp"
+#include "fascicle/motion/timeline.hpp"
+#include "fascicle/solver/parameters.hpp"
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fascicle {
+
+enum class LengthUnit { millimetre, metre };
+/// Millimetres in one scene unit: 1 or 1000.
+double millimetres_per_unit(LengthUnit unit);
+const char* to_text(LengthUnit unit); ///< "mm" or "m"
+
+/// Where a mesh came from; empty path: made by the program.
+struct MeshSource {
+    std::string path;
+    std::string hash; ///< StateHash of the file's bytes, empty for made meshes
+};
+
+struct Bone {
+    std::string name;
+    MeshPtr mesh;
+    MeshSource source;
+};
+
+struct Muscle {
+    std::string name;
+    MeshPtr mesh;
+    MeshSource source;
+    /// Attachments in force: `attachments` when not empty, else made from `outlines`, else by distance to the
+    /// bones (when `attach_automatically`), else none: a free body.
+    std::vector<Attachment> attachments;
+    std::vector<AttachmentOutline> outlines;
+    std::vector<MeshSource> outline_files; ///< the files the outlines came from
+    bool attach_automatically = true;
+    std::shared_ptr<const Polylines> surface_fibres; ///< superficial fibres, or null
+    MeshSource surface_fibres_source;
+};
+
+struct Scene {
+    std::string name = "scene";
+    std::string embedded_name; ///< name in embedded_scenes(), empty when made from files
+    LengthUnit unit = LengthUnit::millimetre;
+    std::vector<Bone> bones;
+    std::vector<Muscle> muscles;
+    Timeline timeline;
+    ParamSet parameters = default_parameters();
+
+    int bone_index(std::string_view bone_name) const;     ///< -1 when there is none
+    int muscle_index(std::string_view muscle_name) const; ///< -1 when there is none
+};
+
+using ScenePtr = std::shared_ptr<const Scene>;
+
+} // namespace fascicle

@@ -1,0 +1,21 @@
+#pragma once
+// The parameter table of a simulation: every row that `--set`, project files and the tuning panel know.
+
+#include "fascicle/base/param_table.hpp"
+
+namespace fascicle {
+
+/// Rows in the order panels show them; documented in docs/parameters.md (a test keeps the two alike).
+const ParamTable& parameter_table();
+
+/// All defaults, for the method xpbd.
+ParamSet default_parameters();
+
+/// Switches solver.method and lets every value that was not edited follow the method's defaults.
+/// Error (usage) when there is no such method.
+void set_method(ParamSet& parameters, const std::string& method);
+
+/// Passes a frame: solver.iterations, or the method's own number when that is 0 (classic 3, xpbd 10).
+int passes_per_frame(const ParamSet& parameters);
+
+} // namespace fascicle

@@ -1,0 +1,70 @@
+#pragma once
+// A deformable closed surface among moving solids: arrays in, arrays out. Knows no muscles, bones or scenes.
+// A method is one class behind this interface and one row in solver_methods().
+
+#include "fascicle/base/pose.hpp"
+#include "fascicle/geometry/tri_mesh.hpp"
+#include "fascicle/solver/parameters.hpp"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+
+namespace fascicle {
+
+class DistanceGrid;
+
+/// A solid that the soft body must not enter. mesh: at its rest pose. grid: signed distance at its rest pose;
+/// only methods whose row says so need it, null otherwise.
+struct SolidBody {
+    MeshPtr mesh;
+    std::shared_ptr<const DistanceGrid> grid;
+};
+
+/// Everything fixed at the start of a run. Lengths in scene units; `unit_mm` millimetres are one of them.
+struct SoftBodyProblem {
+    MeshPtr surface;                 ///< rest shape, V vertices, closed
+    std::vector<int> body_of_vertex; ///< V: index of the solid a vertex is fixed to, -1 free
+    std::vector<double>
+        edge_softness; ///< per MeshTopology edge: k = (1 - |u.v|)^a in [0, 1]; empty: 1 everywhere
+    std::vector<SolidBody> solids; ///< B solids
+    ParamSet parameters = default_parameters();
+    double unit_mm = 1.0;
+};
+
+/// Running totals since the start, and seconds per stage.
+struct StepReport {
+    std::int64_t contacts = 0;
+    std::int64_t ejected = 0;
+    std::int64_t non_finite = 0;
+    std::map<std::string, double> stage_seconds;
+};
+
+class SoftBodySolver {
+public:
+    virtual ~SoftBodySolver() = default;
+    /// Advances one frame; solid b moves from `from[b]` to `to[b]` (poses from its rest pose), by screw
+    /// motion.
+    virtual void advance(std::span<const Pose> from, std::span<const Pose> to) = 0;
+    /// V positions. Vertices fixed to a solid are exactly where its pose puts them.
+    virtual const Points& positions() const = 0;
+    virtual const StepReport& report() const = 0;
+    /// The vertices that the method itself treats as fixed (classic fixes what collides at the start): V, -1
+    /// free.
+    virtual const std::vector<int>& body_of_vertex() const = 0;
+};
+
+struct SolverMethod {
+    std::string name;
+    std::string line; ///< one line for help texts
+    bool needs_grid;
+    std::unique_ptr<SoftBodySolver> (*make)(const SoftBodyProblem&);
+};
+
+const std::vector<SolverMethod>& solver_methods();
+/// Null when there is no such method.
+const SolverMethod* find_solver_method(std::string_view name);
+
+} // namespace fascicle

@@ -1,0 +1,188 @@
+#include "fascicle/solver/parameters.hpp"
+
+#include "fascicle/base/error.hpp"
+
+namespace fascicle {
+
+namespace {
+
+const char* const paper = "Cervenka & Kohout 2020";
+const char* const xpbd_source = "Macklin, Mueller, Chentanez 2016";
+
+std::vector<ParamRow> make_rows() {
+    using K = ParamKind;
+    return {
+        {"solver.method",
+         "Method",
+         "1",
+         K::choice,
+         0,
+         1,
+         0,
+         {"xpbd", "classic"},
+         "xpbd: compliant constraints in substeps; classic: the published program, step by step.",
+         paper,
+         false},
+        {"solver.iterations",
+         "Passes a frame",
+         "1",
+         K::integer,
+         0,
+         200,
+         0,
+         {},
+         "Substeps (xpbd) or inner loops (classic) in a frame; 0 takes the method's own number, 10 or 3.",
+         paper,
+         false},
+        {"solver.frame_time",
+         "Frame duration",
+         "s",
+         K::real,
+         1e-4,
+         1,
+         1.0 / 60.0,
+         {},
+         "Time between two frames, for xpbd; classic takes 1 ms an inner loop as published.",
+         xpbd_source,
+         true},
+        {"solver.stiffness",
+         "Edge stiffness",
+         "1",
+         K::real,
+         0,
+         1,
+         0.9,
+         {},
+         "How strongly edges keep their rest length; 1 is rigid. Read at a substep of 1/600 s.",
+         paper,
+         false},
+        {"solver.bending",
+         "Bending stiffness",
+         "1",
+         K::real,
+         0,
+         1,
+         0.3,
+         {},
+         "How strongly neighbouring triangles keep their dihedral angle. Read at a substep of 1/600 s.",
+         paper,
+         false},
+        {"solver.pressure",
+         "Pressure",
+         "1",
+         K::real,
+         0.5,
+         2,
+         1,
+         {},
+         "Wanted volume as a multiple of the rest volume.",
+         paper,
+         false},
+        {"solver.anisotropy",
+         "Anisotropy",
+         "1",
+         K::real,
+         0,
+         2,
+         1,
+         {},
+         "Exponent a of k = (1 - |u.v|)^a: 0 is isotropic, larger lets edges along the fibres give more.",
+         paper,
+         false},
+        {"solver.damping",
+         "Damping",
+         "1/s",
+         K::real,
+         0,
+         1000,
+         10,
+         {},
+         "Rate at which velocities die away.",
+         paper,
+         false},
+        {"contact.offset_mm",
+         "Contact offset",
+         "mm",
+         K::real,
+         0,
+         5,
+         0.1,
+         {},
+         "Distance at which free vertices are held off a bone, beyond the error of its distance grid.",
+         "methods notes, section 5.2",
+         false},
+        {"contact.friction",
+         "Friction",
+         "1",
+         K::real,
+         0,
+         2,
+         0,
+         {},
+         "Coulomb coefficient between muscle and bone; 0 slides freely.",
+         "Macklin et al. 2014",
+         false},
+        {"contact.grid_mm",
+         "Distance grid spacing",
+         "mm",
+         K::real,
+         0.25,
+         10,
+         1,
+         {},
+         "Spacing of the bones' distance grids; finer is exacter and larger.",
+         "measured",
+         true},
+        {"attachment.distance_mm",
+         "Attachment distance",
+         "mm",
+         K::real,
+         0,
+         20,
+         1,
+         {},
+         "Without outlines, muscle vertices nearer to a bone than this are attached (largest patch).",
+         "measured",
+         false},
+        {"classic.equations",
+         "Classic equations",
+         "1",
+         K::choice,
+         0,
+         1,
+         0,
+         {"published", "meant"},
+         "published: every quirk of the program; meant: the paper's equations with right signs and factors.",
+         paper,
+         false},
+    };
+}
+
+} // namespace
+
+const ParamTable& parameter_table() {
+    static const ParamTable table(make_rows());
+    return table;
+}
+
+ParamSet default_parameters() {
+    return ParamSet(parameter_table());
+}
+
+void set_method(ParamSet& parameters, const std::string& method) {
+    parameters.set_text("solver.method", method);
+    // Defaults of the published program: bending 0.9, velocity factor 0.99 a millisecond (10.05 1/s).
+    if (method == "classic")
+        parameters.set_defaults({{"solver.bending", 0.9}, {"solver.damping", 10.050335853501450}});
+    else
+        parameters.set_defaults({});
+}
+
+int passes_per_frame(const ParamSet& parameters) {
+    const int set = parameters.get_int("solver.iterations");
+    if (set > 0)
+        return set;
+    return parameters.get_choice("solver.method") == "classic" ? 3 : 10;
+}
+
+} // namespace fascicle
