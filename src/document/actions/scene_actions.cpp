@@ -1,0 +1,87 @@
+#include "fascicle/document/actions/scene_actions.hpp"
+
+#include <algorithm>
+
+namespace fascicle::actions {
+
+namespace {
+
+bool taken(const Scene& scene, const std::string& name) {
+    return scene.bone_index(name) >= 0 || scene.muscle_index(name) >= 0;
+}
+
+std::string unique_name(const Scene& scene, const std::string& wanted, const char* otherwise) {
+    const std::string base = wanted.empty() ? otherwise : wanted;
+    std::string name = base;
+    for (int number = 2; taken(scene, name); ++number)
+        name = base + " " + std::to_string(number);
+    return name;
+}
+
+template <class T>
+T& checked(std::vector<T>& list, int index) {
+    FASCICLE_ASSERT(index >= 0 && index < static_cast<int>(list.size()));
+    return list[static_cast<std::size_t>(index)];
+}
+
+template <class T>
+void erase_at(std::vector<T>& list, int index) {
+    if (index < static_cast<int>(list.size())) // tracks may be fewer than bones
+        list.erase(list.begin() + index);
+}
+
+} // namespace
+
+int add_bone(Document& document, Bone bone) {
+    FASCICLE_ASSERT(bone.mesh != nullptr);
+    Scene& scene = document.edit();
+    bone.name = unique_name(scene, bone.name, "bone");
+    scene.bones.push_back(std::move(bone));
+    document.commit("Add bone " + document.scene().bones.back().name);
+    return static_cast<int>(document.scene().bones.size()) - 1;
+}
+
+int add_muscle(Document& document, Muscle muscle) {
+    FASCICLE_ASSERT(muscle.mesh != nullptr);
+    Scene& scene = document.edit();
+    muscle.name = unique_name(scene, muscle.name, "muscle");
+    scene.muscles.push_back(std::move(muscle));
+    document.commit("Add muscle " + document.scene().muscles.back().name);
+    return static_cast<int>(document.scene().muscles.size()) - 1;
+}
+
+void remove_bone(Document& document, int bone) {
+    Scene& scene = document.edit();
+    const std::string name = checked(scene.bones, bone).name;
+    erase_at(scene.bones, bone);
+    erase_at(scene.timeline.bone_tracks, bone);
+    for (Muscle& muscle : scene.muscles) {
+        std::erase_if(muscle.attachments, [&](const Attachment& a) { return a.bone == bone; });
+        for (Attachment& attachment : muscle.attachments)
+            attachment.bone -= attachment.bone > bone ? 1 : 0;
+    }
+    document.commit("Remove bone " + name);
+}
+
+void remove_muscle(Document& document, int muscle) {
+    Scene& scene = document.edit();
+    const std::string name = checked(scene.muscles, muscle).name;
+    erase_at(scene.muscles, muscle);
+    document.commit("Remove muscle " + name);
+}
+
+bool rename_bone(Document& document, int bone, const std::string& name) {
+    if (name.empty() || taken(document.scene(), name))
+        return false;
+    checked(document.edit().bones, bone).name = name;
+    return document.commit("Rename bone to " + name);
+}
+
+bool rename_muscle(Document& document, int muscle, const std::string& name) {
+    if (name.empty() || taken(document.scene(), name))
+        return false;
+    checked(document.edit().muscles, muscle).name = name;
+    return document.commit("Rename muscle to " + name);
+}
+
+} // namespace fascicle::actions

@@ -1,0 +1,25 @@
+#include "fascicle/document/actions/timeline_actions.hpp"
+
+#include "fascicle/base/error.hpp"
+
+namespace fascicle::actions {
+
+void set_hinge(Document& document, const Hinge& hinge, double angle_rad, const Phases& phases,
+               const std::vector<int>& moving) {
+    const int bones = static_cast<int>(document.scene().bones.size());
+    for (const int bone : moving)
+        FASCICLE_ASSERT(bone >= 0 && bone < bones);
+    if (!(hinge.axis.norm() > 0))
+        throw_error("hinge axis", "its length is zero", "a direction", ErrorKind::usage);
+    Timeline timeline = make_hinge_timeline(hinge, angle_rad, phases, bones, moving);
+    document.edit().timeline = std::move(timeline);
+    document.commit("Set motion");
+}
+
+bool bone_moves(const Scene& scene, int bone) {
+    const std::vector<BoneTrack>& tracks = scene.timeline.bone_tracks;
+    return bone >= 0 && bone < static_cast<int>(tracks.size()) &&
+           tracks[static_cast<std::size_t>(bone)].moves();
+}
+
+} // namespace fascicle::actions

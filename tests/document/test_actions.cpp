@@ -1,0 +1,133 @@
+#include "fascicle/document/actions/parameter_actions.hpp"
+#include "fascicle/document/actions/scene_actions.hpp"
+#include "fascicle/document/actions/timeline_actions.hpp"
+
+#include "fascicle/base/error.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace fascicle;
+
+namespace {
+
+MeshPtr some_mesh() {
+    auto mesh = std::make_shared<TriMesh>();
+    mesh->positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    mesh->triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+    return mesh;
+}
+
+Document three_bones() {
+    Scene scene;
+    for (const char* name : {"a", "b", "c"})
+        scene.bones.push_back({name, some_mesh(), {}});
+    Muscle muscle;
+    muscle.name = "m";
+    muscle.mesh = some_mesh();
+    muscle.attachments = {{AttachmentKind::origin, 0, {0}},
+                          {AttachmentKind::insertion, 1, {1}},
+                          {AttachmentKind::unknown, 2, {2}}};
+    scene.muscles.push_back(muscle);
+    return Document(std::move(scene));
+}
+
+std::size_t steps(const Document& document) {
+    return document.history().steps().size();
+}
+
+} // namespace
+
+TEST_CASE("A parameter drag is one step, and none when it comes back", "[document][actions]") {
+    Document document{Scene{}};
+    for (const double value : {0.1, 0.2, 0.3})
+        actions::edit_parameter(document, "solver.stiffness", value);
+    CHECK(steps(document) == 1);
+    CHECK(document.scene().parameters.get("solver.stiffness") == 0.3);
+    CHECK(actions::commit_parameter(document, "solver.stiffness"));
+    CHECK(steps(document) == 2);
+    CHECK(document.history().undo_name() == "Set Edge stiffness");
+    actions::edit_parameter(document, "solver.stiffness", 0.7);
+    actions::edit_parameter(document, "solver.stiffness", 0.3);
+    CHECK_FALSE(actions::commit_parameter(document, "solver.stiffness"));
+    CHECK(steps(document) == 2);
+    CHECK_FALSE(document.has_uncommitted_edits());
+    REQUIRE(document.undo());
+    CHECK(document.scene().parameters.get("solver.stiffness") == 0.9);
+    CHECK_FALSE(document.scene().parameters.edited("solver.stiffness"));
+}
+
+TEST_CASE("A bad parameter value leaves the document as it was", "[document][actions]") {
+    Document document{Scene{}};
+    CHECK_THROWS_AS(actions::set_parameter(document, "solver.stiffness", 7), Error);
+    CHECK_THROWS_AS(actions::edit_parameter(document, "no.such", 0), Error);
+    CHECK_THROWS_AS(actions::set_method(document, "magic"), Error);
+    CHECK(steps(document) == 1);
+    CHECK_FALSE(document.has_uncommitted_edits());
+    CHECK_FALSE(document.dirty());
+}
+
+TEST_CASE("The method brings its defaults, edited values stay", "[document][actions]") {
+    Document document{Scene{}};
+    CHECK(actions::set_parameter(document, "solver.stiffness", 0.5));
+    CHECK(actions::set_method(document, "classic"));
+    CHECK(document.scene().parameters.get("solver.bending") == 0.9);
+    CHECK(document.scene().parameters.get("solver.stiffness") == 0.5);
+    CHECK(actions::reset_parameter(document, "solver.stiffness"));
+    CHECK_FALSE(actions::reset_parameter(document, "solver.stiffness"));
+    CHECK(actions::reset_parameter(document, "solver.method"));
+    CHECK(document.scene().parameters.get("solver.bending") == 0.3);
+    CHECK(actions::set_parameter(document, "solver.pressure", 1.5));
+    CHECK(actions::reset_all_parameters(document));
+    CHECK(document.scene().parameters.get("solver.pressure") == 1);
+    const std::size_t before = steps(document);
+    CHECK_FALSE(actions::reset_all_parameters(document));
+    CHECK(steps(document) == before);
+}
+
+TEST_CASE("Names are unique over bones and muscles", "[document][actions]") {
+    Document document{Scene{}};
+    CHECK(actions::add_bone(document, {"femur", some_mesh(), {}}) == 0);
+    CHECK(actions::add_bone(document, {"femur", some_mesh(), {}}) == 1);
+    Muscle muscle;
+    muscle.name = "femur";
+    muscle.mesh = some_mesh();
+    CHECK(actions::add_muscle(document, muscle) == 0);
+    CHECK(document.scene().bones[1].name == "femur 2");
+    CHECK(document.scene().muscles[0].name == "femur 3");
+    CHECK_FALSE(actions::rename_muscle(document, 0, "femur 2"));
+    CHECK_FALSE(actions::rename_muscle(document, 0, ""));
+    CHECK(actions::rename_muscle(document, 0, "vastus"));
+    CHECK(actions::rename_bone(document, 0, "tibia"));
+    CHECK(steps(document) == 6);
+    actions::remove_muscle(document, 0);
+    CHECK(document.scene().muscles.empty());
+    while (document.undo()) {
+    }
+    CHECK(document.scene().bones.empty());
+}
+
+TEST_CASE("Removing a bone keeps the other bones' motion and attachments", "[document][actions]") {
+    Document document = three_bones();
+    actions::set_hinge(document, {Vec3::Zero(), Vec3::UnitX()}, 1.0, {10, 10, 10}, {2});
+    CHECK(actions::bone_moves(document.scene(), 2));
+    actions::remove_bone(document, 1);
+    CHECK(document.scene().bones.size() == 2);
+    CHECK(actions::bone_moves(document.scene(), 1));
+    CHECK_FALSE(actions::bone_moves(document.scene(), 0));
+    const auto& attachments = document.scene().muscles[0].attachments;
+    REQUIRE(attachments.size() == 2);
+    CHECK(attachments[0].bone == 0);
+    CHECK(attachments[1].bone == 1);
+    CHECK(attachments[1].vertices == std::vector<int>{2});
+}
+
+TEST_CASE("A hinge without a direction is refused", "[document][actions]") {
+    Document document = three_bones();
+    CHECK_THROWS_AS(actions::set_hinge(document, {Vec3::Zero(), Vec3::Zero()}, 1, {1, 1, 1}, {0}), Error);
+    CHECK_THROWS_AS(actions::set_hinge(document, {Vec3::Zero(), Vec3::UnitX()}, 1, {-1, 1, 1}, {0}), Error);
+    CHECK(steps(document) == 1);
+    CHECK_FALSE(document.has_uncommitted_edits());
+    actions::set_hinge(document, {Vec3::Zero(), Vec3::UnitX()}, 1, {5, 4, 3}, {0});
+    CHECK(document.scene().timeline.last_frame == 12);
+    CHECK(document.scene().timeline.angle_rad(5) == Approx(1));
+}
