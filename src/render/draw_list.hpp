@@ -17,8 +17,8 @@ using Rgba = std::array<float, 4>;
 /// Column-major 4x4, as OpenGL and GLM store it.
 using Mat4f = std::array<float, 16>;
 
-/// A triangle surface. normals and colours: one per vertex or empty (flat colour, normals computed by the
-/// caller).
+/// A triangle surface. normals and colours: one per vertex or null. Without normals every triangle is flat.
+/// With vertex colours, of `colour` only alpha counts: it multiplies theirs.
 struct SurfaceItem {
     std::uint64_t id = 0; ///< stable per object: the renderer keeps GPU buffers under it
     std::shared_ptr<const std::vector<Vec3f>> positions;
@@ -40,7 +40,8 @@ struct LineItem {
     bool on_top = false; ///< drawn over everything (axes, rings)
 };
 
-/// Camera of a picture. Right-handed view space; depth 0..1 handled by the renderer.
+/// Camera of a picture. View space: x right, y up, looking along -z; projection: OpenGL's, depth -1 (near)
+/// to 1.
 struct CameraPose {
     Mat4f view{};
     Mat4f projection{};
@@ -51,6 +52,7 @@ struct DrawList {
     std::vector<SurfaceItem> surfaces;
     std::vector<LineItem> lines;
     CameraPose camera;
+    /// Alpha below 1 leaves the picture's background transparent.
     Rgba background_top{0.93f, 0.94f, 0.96f, 1};
     Rgba background_bottom{0.78f, 0.81f, 0.85f, 1};
 };

@@ -1,0 +1,87 @@
+#include "fascicle/io/png.hpp"
+
+#include "fascicle/base/assert.hpp"
+#include "fascicle/base/error.hpp"
+#include "fascicle/io/files.hpp"
+
+#include <memory>
+#include <string>
+
+// Static, so that the copies inside other libraries (libimgui.a carries parts of stb) stay apart.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#define STB_IMAGE_STATIC
+#define STB_IMAGE_IMPLEMENTATION
+#define STBI_ONLY_PNG
+#define STBI_NO_STDIO
+#define STBI_MAX_DIMENSIONS 32768
+#include <stb_image.h>
+#define STB_IMAGE_WRITE_STATIC
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STBI_WRITE_NO_STDIO
+#include <stb_image_write.h>
+#pragma GCC diagnostic pop
+
+namespace fascicle {
+
+namespace {
+
+// Deflate packs at most 1032 bytes into one, and a PNG pixel has at least one bit.
+constexpr double most_pixels_per_byte = 1032.0 * 8.0;
+
+void append(void* file, void* data, int size) {
+    static_cast<AtomicFile*>(file)->write(data, static_cast<std::size_t>(size));
+}
+
+} // namespace
+
+void write_png(const std::filesystem::path& path, int width, int height, const std::uint8_t* rgba) {
+    FASCICLE_ASSERT(width >= 1 && height >= 1 && width <= 32768 && height <= 32768 && rgba != nullptr);
+    // stb counts bytes in int: a 4-channel picture with its filter bytes must stay below 2^31.
+    if (static_cast<double>(width) * height > 500e6)
+        throw_error(path.string(), "the picture is too large", "at most 500 million pixels");
+    const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    bool opaque = true;
+    for (std::size_t i = 0; i < pixels && opaque; ++i)
+        opaque = rgba[4 * i + 3] == 255;
+    std::vector<std::uint8_t> rgb;
+    if (opaque) {
+        rgb.resize(3 * pixels);
+        for (std::size_t i = 0; i < pixels; ++i)
+            for (std::size_t c = 0; c < 3; ++c)
+                rgb[3 * i + c] = rgba[4 * i + c];
+    }
+    const int channels = opaque ? 3 : 4;
+    stbi_write_png_compression_level =
+        5; // stb's lowest; trying all filters and packing harder takes 130 ms a picture
+    stbi_write_force_png_filter = 1;
+    AtomicFile file(path);
+    if (stbi_write_png_to_func(append, &file, width, height, channels, opaque ? rgb.data() : rgba,
+                               width * channels) == 0)
+        throw_error(path.string(), "cannot pack the picture: out of memory");
+    file.commit();
+}
+
+PngImage read_png(const std::filesystem::path& path) {
+    const std::string bytes = read_file(path, std::size_t{1} << 30);
+    const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+    const int size = static_cast<int>(bytes.size());
+    PngImage image;
+    int channels = 0;
+    if (stbi_info_from_memory(data, size, &image.width, &image.height, &channels) == 0)
+        throw_error(path.string(), std::string("not a PNG picture (") + stbi_failure_reason() + ")",
+                    "a PNG file of at most 32768 pixels a side");
+    const double pixels = static_cast<double>(image.width) * image.height;
+    if (pixels > 500e6 || pixels > most_pixels_per_byte * static_cast<double>(bytes.size()))
+        throw_error(path.string(), "claims " + std::to_string(image.width) + "x" +
+                                       std::to_string(image.height) + " pixels, more than its " +
+                                       std::to_string(bytes.size()) + " bytes can hold");
+    const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
+        stbi_load_from_memory(data, size, &image.width, &image.height, &channels, 4), stbi_image_free);
+    if (!decoded)
+        throw_error(path.string(), std::string("damaged PNG picture (") + stbi_failure_reason() + ")");
+    image.rgba.assign(decoded.get(), decoded.get() + static_cast<std::size_t>(pixels) * 4);
+    return image;
+}
+
+} // namespace fascicle

@@ -1,0 +1,49 @@
+#pragma once
+// Draws a DrawList: gradient background, opaque surfaces, lines, transparent surfaces from far to near, lines
+// on top.
+
+#include "render/draw_list.hpp"
+#include "render/mesh_buffer.hpp"
+#include "render/offscreen_target.hpp"
+#include "render/shader.hpp"
+
+#include <unordered_map>
+
+namespace fascicle::render {
+
+class SceneRenderer {
+public:
+    /// A GL context must be current and stay alive longer than the renderer.
+    SceneRenderer();
+    ~SceneRenderer();
+    SceneRenderer(const SceneRenderer&) = delete;
+    SceneRenderer& operator=(const SceneRenderer&) = delete;
+
+    /// Draws into the bound framebuffer, all of a viewport of width x height pixels, clearing it first.
+    /// pixel_scale: framebuffer pixels per pixel of line widths (supersampling times the interface's scale).
+    void draw(const DrawList& list, int width, int height, float pixel_scale = 1.0f);
+    /// draw() into all of `target`, then resolve().
+    void draw(const DrawList& list, const OffscreenTarget& target, float pixel_scale = 1.0f);
+
+    /// Arrays sent to the GPU by the last draw(): 0 when nothing but the camera changed.
+    int uploads() const { return uploads_; }
+
+private:
+    struct Entry {
+        std::unique_ptr<MeshBuffer> buffer;
+        std::uint64_t last_drawn = 0;
+    };
+    struct Pass;
+    void draw_surface(const SurfaceItem& item, const Pass& pass);
+    void draw_transparent(const DrawList& list, const Pass& pass);
+    void draw_lines(const LineItem& item, const Pass& pass);
+    void forget_unused();
+
+    Shader background_, surface_, wired_surface_, line_;
+    std::unordered_map<std::uint64_t, Entry> entries_; ///< by SurfaceItem.id
+    std::uint64_t draws_ = 0;
+    int uploads_ = 0;
+    unsigned empty_array_ = 0, line_array_ = 0, line_points_ = 0, line_colours_ = 0;
+};
+
+} // namespace fascicle::render
