@@ -59,7 +59,7 @@ TEST_CASE("What is not a whole PNG is an error that names the file", "[io][png]"
         write_file(file, whole.substr(0, length));
         CHECK_THROWS_AS(read_png(file), Error);
     }
-    std::string large = whole;
+    std::string large = whole.substr(0, 200);
     large[16] = 0; // 8000x8000 in the header of a small file
     large[17] = 0;
     large[18] = 0x1f;
