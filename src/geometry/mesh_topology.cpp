@@ -92,7 +92,7 @@ void MeshTopology::classify_edges(const std::vector<Tri>& triangles) {
                 inconsistent_edges_.push_back(e);
             } else {
                 const int up = first_up ? row[0] : row[1], down = first_up ? row[1] : row[0];
-                hinges_.push_back({corner(up, 2), corner(down, 2), edges_[z(e)].a, edges_[z(e)].b, e});
+                dihedrals_.push_back({corner(up, 2), corner(down, 2), edges_[z(e)].a, edges_[z(e)].b, e});
             }
         }
     }

@@ -16,8 +16,8 @@ const Vec3& at(const TriMesh& mesh, int v) {
     return mesh.positions[static_cast<std::size_t>(v)];
 }
 
-/// theta of methods.md 1.1, written out here so that the sign convention of hinges has its own witness.
-double theta(const TriMesh& mesh, const Hinge& h) {
+/// theta of methods.md 1.1, written out here so that the sign convention of dihedrals has its own witness.
+double theta(const TriMesh& mesh, const Dihedral& h) {
     const Vec3 e = at(mesh, h.p3) - at(mesh, h.p2);
     const Vec3 n1 = (at(mesh, h.p2) - at(mesh, h.p0)).cross(at(mesh, h.p3) - at(mesh, h.p0)).normalized();
     const Vec3 n2 = (at(mesh, h.p3) - at(mesh, h.p1)).cross(at(mesh, h.p2) - at(mesh, h.p1)).normalized();
@@ -60,9 +60,9 @@ void check_against_definition(int vertex_count, const std::vector<Tri>& triangle
     CHECK(topology.boundary_edges() == boundary);
     CHECK(topology.nonmanifold_edges() == nonmanifold);
     CHECK(topology.inconsistent_edges() == inconsistent);
-    REQUIRE(topology.hinges().size() == hinged.size());
+    REQUIRE(topology.dihedrals().size() == hinged.size());
     for (std::size_t i = 0; i < hinged.size(); ++i) {
-        const Hinge& h = topology.hinges()[i];
+        const Dihedral& h = topology.dihedrals()[i];
         REQUIRE(h.edge == hinged[i]);
         REQUIRE(Edge{h.p2, h.p3} == topology.edges()[static_cast<std::size_t>(h.edge)]);
         int first = 0, second = 0; // triangles (p0, p2, p3) and (p1, p3, p2) exist, in some rotation
@@ -95,7 +95,7 @@ TEST_CASE("closed surfaces have Euler's counts", "[geometry][mesh_topology]") {
     const auto euler = [](const TriMesh& mesh) {
         const MeshTopology topology(mesh.vertex_count(), mesh.triangles);
         CHECK(topology.boundary_edges().empty());
-        CHECK(topology.hinges().size() == topology.edges().size());
+        CHECK(topology.dihedrals().size() == topology.edges().size());
         CHECK(topology.component_count() == 1);
         return mesh.vertex_count() - static_cast<int>(topology.edges().size()) + mesh.triangle_count();
     };
@@ -125,12 +125,12 @@ TEST_CASE("any triangle soup is taken", "[geometry][mesh_topology]") {
     }
 }
 
-TEST_CASE("hinge order gives outward normals: zero when flat, negative over a ridge",
+TEST_CASE("dihedral order gives outward normals: zero when flat, negative over a ridge",
           "[geometry][mesh_topology]") {
     const TriMesh cube = box();
     int flat = 0, ridge = 0;
     const MeshTopology outer(8, cube.triangles);
-    for (const Hinge& h : outer.hinges()) {
+    for (const Dihedral& h : outer.dihedrals()) {
         const double angle = theta(cube, h);
         flat += std::abs(angle) < 1e-14;
         ridge += std::abs(angle + M_PI / 2) < 1e-14;
@@ -143,7 +143,7 @@ TEST_CASE("hinge order gives outward normals: zero when flat, negative over a ri
     CHECK(ridge == 12);
     const TriMesh hollow = inside_out(cube); // the same edges seen from inside are valleys
     const MeshTopology inner(8, hollow.triangles);
-    for (const Hinge& h : inner.hinges())
+    for (const Dihedral& h : inner.dihedrals())
         CHECK(theta(hollow, h) > -1e-14);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Who touches whom in a triangle list: edges, hinges, borders, neighbours, components. Built once, never
+// Who touches whom in a triangle list: edges, dihedrals, borders, neighbours, components. Built once, never
 // changes.
 
 #include "fascicle/base/types.hpp"
@@ -21,7 +21,7 @@ struct Edge {
 /// both point outwards, and theta = atan2(-(n1 x n2) . (p3-p2)/|p3-p2|, n1 . n2) is zero when flat, negative
 /// over a ridge (convex, a cube's edges: -pi/2), positive in a valley. Always p2 < p3: (p2, p3) is edge
 /// `edge`.
-struct Hinge {
+struct Dihedral {
     int p0, p1, p2, p3;
     int edge;
 };
@@ -38,7 +38,7 @@ public:
     int vertex_count() const { return vertex_count_; }
     const std::vector<Edge>& edges() const { return edges_; }
     /// Edges with exactly two triangles that walk them in opposite directions.
-    const std::vector<Hinge>& hinges() const { return hinges_; }
+    const std::vector<Dihedral>& dihedrals() const { return dihedrals_; }
     /// Indices of edges with exactly one triangle.
     const std::vector<int>& boundary_edges() const { return boundary_edges_; }
     /// Indices of edges with more than two triangles.
@@ -77,7 +77,7 @@ private:
     int vertex_count_ = 0;
     std::vector<Edge> edges_;
     std::vector<int> edge_starts_{0}, edge_half_edges_;
-    std::vector<Hinge> hinges_;
+    std::vector<Dihedral> dihedrals_;
     std::vector<int> boundary_edges_, nonmanifold_edges_, inconsistent_edges_;
     std::vector<int> triangle_starts_{0}, vertex_triangles_;
     std::vector<int> neighbour_starts_{0}, vertex_neighbours_;

@@ -17,7 +17,7 @@ struct FrameReport {
     double solve_seconds = 0;
     std::map<std::string, double> stage_seconds; ///< per stage, e.g. "contact"
     std::int64_t contacts = 0;                   ///< contact projections that moved a vertex
-    std::int64_t ejected = 0;                    ///< vertices that had to be put outside by force
+    std::int64_t unresolved = 0;                 ///< vertices that contact could not put outside
     std::int64_t non_finite = 0; ///< vertices whose new position was not finite and was refused
 };
 

@@ -27,32 +27,34 @@ struct SolidBody {
 struct SoftBodyProblem {
     MeshPtr surface;                 ///< rest shape, V vertices, closed
     std::vector<int> body_of_vertex; ///< V: index of the solid a vertex is fixed to, -1 free
-    std::vector<double>
-        edge_softness; ///< per MeshTopology edge: k = (1 - |u.v|)^a in [0, 1]; empty: 1 everywhere
+    /// Per MeshTopology edge: k = (1 - |u.v|)^a in [0, 1]; empty: 1 everywhere.
+    std::vector<double> edge_softness;
     std::vector<SolidBody> solids; ///< B solids
+    /// V x B, row-major: share of solid b's motion that a free vertex is predicted to follow; empty: none.
+    /// A predictor only: constraints start from the carried positions, velocities do not contain it.
+    std::vector<double> carry_weights;
+    int threads = 1;
     ParamSet parameters = default_parameters();
     double unit_mm = 1.0;
 };
 
 /// Running totals since the start, and seconds per stage.
 struct StepReport {
-    std::int64_t contacts = 0;
-    std::int64_t ejected = 0;
-    std::int64_t non_finite = 0;
+    std::int64_t contacts = 0;   ///< vertices moved by contact, summed over substeps
+    std::int64_t unresolved = 0; ///< vertices that contact could not put outside, summed over substeps
+    std::int64_t non_finite = 0; ///< new positions that were not finite and were refused
     std::map<std::string, double> stage_seconds;
 };
 
 class SoftBodySolver {
 public:
     virtual ~SoftBodySolver() = default;
-    /// Advances one frame; solid b moves from `from[b]` to `to[b]` (poses from its rest pose), by screw
-    /// motion.
+    /// Advances one frame; solid b moves from `from[b]` to `to[b]` (poses from its rest pose), by screw motion.
     virtual void advance(std::span<const Pose> from, std::span<const Pose> to) = 0;
     /// V positions. Vertices fixed to a solid are exactly where its pose puts them.
     virtual const Points& positions() const = 0;
     virtual const StepReport& report() const = 0;
-    /// The vertices that the method itself treats as fixed (classic fixes what collides at the start): V, -1
-    /// free.
+    /// The vertices that the method itself treats as fixed (classic fixes what collides at the start): V, -1 free.
     virtual const std::vector<int>& body_of_vertex() const = 0;
 };
 

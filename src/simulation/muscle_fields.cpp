@@ -1,0 +1,86 @@
+#include "simulation/muscle_fields.hpp"
+
+#include "fascicle/anatomy/anisotropy.hpp"
+#include "fascicle/anatomy/harmonic_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fascicle {
+
+namespace {
+
+/// 0 at the origin's end, 1 at the insertion's; an attachment of unknown kind counts by whether its bone moves.
+double field_value(const Attachment& attachment, const std::vector<BoneQuery>& bones) {
+    if (attachment.kind == AttachmentKind::unknown)
+        return bones[static_cast<std::size_t>(attachment.bone)].moves ? 1.0 : 0.0;
+    return attachment.kind == AttachmentKind::insertion ? 1.0 : 0.0;
+}
+
+std::vector<double> weights_by_distance(const Muscle& muscle, const std::vector<BoneQuery>& bones) {
+    const std::size_t count = bones.size();
+    std::vector<double> weights(muscle.mesh->positions.size() * count, 0.0);
+    for (std::size_t i = 0; i < muscle.mesh->positions.size(); ++i) {
+        double sum = 0;
+        for (std::size_t b = 0; b < count; ++b) {
+            const double d = bones[b].distance(muscle.mesh->positions[i], 1e300);
+            weights[i * count + b] = 1.0 / std::max(d, 1e-12);
+            sum += weights[i * count + b];
+        }
+        for (std::size_t b = 0; b < count; ++b)
+            weights[i * count + b] = bones[b].moves ? weights[i * count + b] / sum : 0.0;
+    }
+    return weights;
+}
+
+} // namespace
+
+std::vector<double> muscle_edge_softness(const Muscle& muscle, const MeshTopology& topology,
+                                         const std::vector<Attachment>& attachments,
+                                         const std::vector<BoneQuery>& bones, double exponent,
+                                         bool harmonic) {
+    if (exponent == 0.0)
+        return {};
+    if (muscle.surface_fibres)
+        return edge_softness(*muscle.mesh, topology,
+                             edge_tangents_from_fibres(*muscle.mesh, topology, *muscle.surface_fibres),
+                             exponent);
+    std::vector<bool> fixed(muscle.mesh->positions.size(), false);
+    std::vector<double> values(fixed.size(), 0.0);
+    bool low = false, high = false;
+    for (const Attachment& attachment : attachments) {
+        const double value = field_value(attachment, bones);
+        (value > 0.5 ? high : low) = true;
+        for (const int v : attachment.vertices) {
+            fixed[static_cast<std::size_t>(v)] = true;
+            values[static_cast<std::size_t>(v)] = value;
+        }
+    }
+    if (!harmonic || !low || !high)
+        return {};
+    const std::vector<double> field = solve_harmonic(*muscle.mesh, topology, fixed, values, 1);
+    return edge_softness(*muscle.mesh, topology, edge_tangents_from_field(*muscle.mesh, topology, field),
+                         exponent);
+}
+
+std::vector<double> muscle_carry_weights(const Muscle& muscle, const MeshTopology& topology,
+                                         const std::vector<Attachment>& attachments,
+                                         const std::vector<BoneQuery>& bones) {
+    if (std::none_of(bones.begin(), bones.end(), [](const BoneQuery& b) { return b.moves; }))
+        return {};
+    if (attachments.empty())
+        return weights_by_distance(muscle, bones);
+    const std::size_t count = bones.size();
+    std::vector<bool> fixed(muscle.mesh->positions.size(), false);
+    std::vector<double> values(fixed.size() * count, 0.0);
+    for (const Attachment& attachment : attachments) {
+        const auto b = static_cast<std::size_t>(attachment.bone);
+        for (const int v : attachment.vertices) {
+            fixed[static_cast<std::size_t>(v)] = true;
+            values[static_cast<std::size_t>(v) * count + b] = bones[b].moves ? 1.0 : 0.0;
+        }
+    }
+    return solve_harmonic(*muscle.mesh, topology, fixed, values, static_cast<int>(count));
+}
+
+} // namespace fascicle

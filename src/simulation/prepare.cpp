@@ -1,0 +1,161 @@
+#include "simulation/prepare.hpp"
+
+#include "fascicle/base/parallel.hpp"
+#include "fascicle/geometry/bvh.hpp"
+#include "fascicle/geometry/distance_grid.hpp"
+#include "fascicle/geometry/volume.hpp"
+#include "simulation/clean_up.hpp"
+#include "simulation/muscle_fields.hpp"
+#include "simulation/resolve_attachments.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace fascicle {
+
+namespace {
+
+constexpr double sweep_clearance_mm = 0.5;
+
+std::string millimetres(double length) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2f mm", length);
+    return text;
+}
+
+struct PreparedBones {
+    std::vector<TriangleBvh> trees;
+    std::vector<BoneQuery> queries;
+    std::vector<std::shared_ptr<const DistanceGrid>> grids; ///< empty when the method needs none
+};
+
+PreparedBones prepare_bones(const Scene& scene, bool grids, int threads, const JobControl& control,
+                            std::vector<std::string>& notes) {
+    PreparedBones bones;
+    bones.trees.reserve(scene.bones.size());
+    for (const Bone& bone : scene.bones) {
+        bones.trees.emplace_back(*bone.mesh);
+        control.checkpoint("prepare", 0.1);
+    }
+    for (std::size_t b = 0; b < scene.bones.size(); ++b) {
+        const bool moves = b < scene.timeline.bone_tracks.size() && scene.timeline.bone_tracks[b].moves();
+        bones.queries.push_back({[tree = &bones.trees[b]](const Vec3& p, double limit) {
+                                     return std::sqrt(
+                                         tree->closest(p, limit * (1.0 + 1e-12)).squared_distance);
+                                 },
+                                 moves});
+    }
+    const double unit_mm = millimetres_per_unit(scene.unit);
+    for (std::size_t b = 0; b < scene.bones.size() && grids; ++b) {
+        DistanceGridOptions options;
+        options.spacing = scene.parameters.get("contact.grid_mm") / unit_mm;
+        options.saturation = 8.0 * std::max(1.0, scene.parameters.get("contact.grid_mm")) / unit_mm;
+        options.threads = threads;
+        JobControl part = control;
+        part.report = [&](std::string_view, double f) {
+            if (control.report)
+                control.report("prepare", 0.1 + 0.7 * (double(b) + f) / double(scene.bones.size()));
+        };
+        bones.grids.push_back(std::make_shared<DistanceGrid>(*scene.bones[b].mesh, options, part));
+        if (bones.grids.back()->spacing() > 1.01 * options.spacing)
+            notes.push_back(scene.bones[b].name + ": distance grid of " +
+                            millimetres(bones.grids.back()->spacing() * unit_mm) + " instead of the wanted " +
+                            millimetres(options.spacing * unit_mm) + ", to stay within memory");
+    }
+    return bones;
+}
+
+void describe_attachments(const Scene& scene, const Muscle& muscle,
+                          const std::vector<Attachment>& attachments, std::vector<std::string>& notes) {
+    for (const Attachment& a : attachments)
+        notes.push_back(muscle.name + ": " + to_text(a.kind) + " on '" +
+                        scene.bones[static_cast<std::size_t>(a.bone)].name + "', " +
+                        std::to_string(a.vertices.size()) + " of " +
+                        std::to_string(muscle.mesh->vertex_count()) + " vertices attached");
+}
+
+PreparedMuscle prepare_muscle(const Scene& scene, const Muscle& muscle, const SolverMethod& method,
+                              const PreparedBones& bones, std::vector<std::string>& notes) {
+    const double unit_mm = millimetres_per_unit(scene.unit);
+    const MeshTopology topology(muscle.mesh->vertex_count(), muscle.mesh->triangles);
+    if (!(signed_volume(muscle.mesh->positions, muscle.mesh->triangles) > 0.0))
+        throw_error(muscle.name, "the surface encloses no volume", "a closed muscle surface facing outwards");
+
+    PreparedMuscle prepared;
+    // The published program fixes what collides at the start; only outlines or explicit attachments replace that.
+    prepared.attachments =
+        resolve_attachments(scene, muscle, topology, bones.queries, method.needs_grid, notes);
+    std::vector<const DistanceGrid*> grids;
+    for (const auto& grid : bones.grids)
+        grids.push_back(grid.get());
+    if (method.needs_grid) {
+        const int released = release_swept_attachments(prepared.attachments, muscle.mesh->positions,
+                                                       scene.timeline, grids, sweep_clearance_mm / unit_mm);
+        if (released > 0)
+            notes.push_back(muscle.name + ": " + std::to_string(released) +
+                            " attached vertices released, another bone comes nearer than 0.5 mm to them");
+    }
+    describe_attachments(scene, muscle, prepared.attachments, notes);
+
+    SoftBodyProblem& problem = prepared.problem;
+    problem.parameters = scene.parameters;
+    problem.unit_mm = unit_mm;
+    problem.body_of_vertex.assign(muscle.mesh->positions.size(), -1);
+    for (const Attachment& a : prepared.attachments)
+        for (const int v : a.vertices)
+            problem.body_of_vertex[static_cast<std::size_t>(v)] = a.bone;
+    if (std::find(problem.body_of_vertex.begin(), problem.body_of_vertex.end(), -1) ==
+        problem.body_of_vertex.end())
+        throw_error(muscle.name, "every vertex is attached to a bone", "some vertices that are free to move");
+
+    auto surface = std::make_shared<TriMesh>(*muscle.mesh);
+    if (method.needs_grid) {
+        const double offset = scene.parameters.get("contact.offset_mm") / unit_mm;
+        const CleanUpResult result =
+            push_out_at_rest(surface->positions, problem.body_of_vertex, grids, offset);
+        if (result.moved > 0)
+            notes.push_back(muscle.name + ": " + std::to_string(result.moved) +
+                            " free vertices moved off the bones at rest, by at most " +
+                            millimetres(result.largest_shift * unit_mm));
+        if (result.still_inside > 0)
+            notes.push_back(muscle.name + ": " + std::to_string(result.still_inside) +
+                            " free vertices lie too deep inside a bone to be moved out");
+    }
+    problem.surface = surface;
+    for (std::size_t b = 0; b < scene.bones.size(); ++b)
+        problem.solids.push_back({scene.bones[b].mesh, method.needs_grid ? bones.grids[b] : nullptr});
+
+    problem.edge_softness =
+        muscle_edge_softness(muscle, topology, prepared.attachments, bones.queries,
+                             scene.parameters.get("solver.anisotropy"), method.needs_grid);
+    if (problem.edge_softness.empty() && scene.parameters.get("solver.anisotropy") > 0.0)
+        notes.push_back(muscle.name + ": no fibres and no pair of attachments, so it is isotropic");
+    if (method.needs_grid)
+        problem.carry_weights = muscle_carry_weights(muscle, topology, prepared.attachments, bones.queries);
+    return prepared;
+}
+
+} // namespace
+
+PreparedScene prepare_scene(const Scene& scene, int threads, const JobControl& control) {
+    PreparedScene prepared;
+    prepared.method = find_solver_method(scene.parameters.get_choice("solver.method"));
+    if (prepared.method == nullptr)
+        throw_error("solver.method", "no method '" + scene.parameters.get_choice("solver.method") + "'");
+    if (scene.muscles.empty())
+        throw_error(scene.name, "the scene has no muscle", "at least one muscle");
+    control.checkpoint("prepare", 0.0);
+    const PreparedBones bones =
+        prepare_bones(scene, prepared.method->needs_grid, threads, control, prepared.notes);
+    for (std::size_t m = 0; m < scene.muscles.size(); ++m) {
+        control.checkpoint("prepare", 0.8 + 0.2 * double(m) / double(scene.muscles.size()));
+        prepared.muscles.push_back(
+            prepare_muscle(scene, scene.muscles[m], *prepared.method, bones, prepared.notes));
+        prepared.muscles.back().problem.threads = scene.muscles.size() == 1 ? threads : 1;
+    }
+    control.checkpoint("prepare", 1.0);
+    return prepared;
+}
+
+} // namespace fascicle

@@ -1,0 +1,24 @@
+#pragma once
+// From a scene to solver problems: attachments resolved, bones turned into distance grids, muscles cleaned up.
+
+#include "fascicle/base/job_control.hpp"
+#include "fascicle/scene/recording.hpp"
+#include "fascicle/solver/soft_body_solver.hpp"
+
+namespace fascicle {
+
+struct PreparedMuscle {
+    SoftBodyProblem problem;
+    std::vector<Attachment> attachments;
+};
+
+struct PreparedScene {
+    const SolverMethod* method = nullptr;
+    std::vector<PreparedMuscle> muscles; ///< one per muscle of the scene
+    std::vector<std::string> notes;
+};
+
+/// Error when the scene has no muscle, a muscle encloses no volume, or its attachments leave no vertex free.
+PreparedScene prepare_scene(const Scene& scene, int threads, const JobControl& control);
+
+} // namespace fascicle

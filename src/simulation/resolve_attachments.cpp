@@ -1,0 +1,92 @@
+#include "simulation/resolve_attachments.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+
+namespace fascicle {
+
+namespace {
+
+std::string length_text(double length, double unit_mm) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f mm", length * unit_mm);
+    return text;
+}
+
+/// Adds vertices that no attachment has yet; merges with an attachment of the same kind and bone.
+void add_vertices(std::vector<Attachment>& attachments, std::vector<char>& taken, AttachmentKind kind,
+                  int bone, const std::vector<int>& vertices) {
+    auto it = std::find_if(attachments.begin(), attachments.end(),
+                           [&](const Attachment& a) { return a.kind == kind && a.bone == bone; });
+    if (it == attachments.end())
+        it = attachments.insert(attachments.end(), Attachment{kind, bone, {}});
+    for (const int v : vertices)
+        if (taken[static_cast<std::size_t>(v)] == 0) {
+            taken[static_cast<std::size_t>(v)] = 1;
+            it->vertices.push_back(v);
+        }
+    std::sort(it->vertices.begin(), it->vertices.end());
+}
+
+} // namespace
+
+OutlineBone find_outline_bone(const Scene& scene, const AttachmentOutline& outline,
+                              const std::vector<BoneQuery>& bones) {
+    const double far = 1e6 / millimetres_per_unit(scene.unit);
+    const double on_surface = 3.0 / millimetres_per_unit(scene.unit);
+    OutlineBone best;
+    best.mean_distance = std::numeric_limits<double>::infinity();
+    for (std::size_t b = 0; b < bones.size() && !outline.points.empty(); ++b) {
+        double sum = 0;
+        for (const Vec3& p : outline.points)
+            sum += bones[b].distance(p, far);
+        const double mean = sum / double(outline.points.size());
+        const bool named = scene.bones[b].name == outline.bone;
+        if (named || mean < best.mean_distance)
+            best = {static_cast<int>(b), mean <= on_surface, mean};
+        if (named)
+            break;
+    }
+    return best;
+}
+
+std::vector<Attachment> resolve_attachments(const Scene& scene, const Muscle& muscle,
+                                            const MeshTopology& topology, const std::vector<BoneQuery>& bones,
+                                            bool nearness, std::vector<std::string>& notes) {
+    if (!muscle.attachments.empty())
+        return muscle.attachments;
+    const double unit_mm = millimetres_per_unit(scene.unit);
+    std::vector<Attachment> attachments;
+    std::vector<char> taken(muscle.mesh->positions.size(), 0);
+    for (const AttachmentOutline& outline : muscle.outlines) {
+        const OutlineBone target = find_outline_bone(scene, outline, bones);
+        const std::string what =
+            muscle.name + ": " + to_text(outline.kind) + " outline on '" + outline.bone + "'";
+        if (target.bone < 0) {
+            notes.push_back(what + " is left out: the scene has no bones");
+            continue;
+        }
+        const std::string& bone_name = scene.bones[static_cast<std::size_t>(target.bone)].name;
+        if (bone_name != outline.bone)
+            notes.push_back(what + " follows bone '" + bone_name + "', " +
+                            length_text(target.mean_distance, unit_mm) + " away on average");
+        const auto& distance = bones[static_cast<std::size_t>(target.bone)].distance;
+        const std::vector<int> vertices = attach_by_outline(
+            *muscle.mesh, outline.points, target.on_bone ? distance : BoneDistance{}, attach_rules(unit_mm));
+        if (vertices.empty())
+            notes.push_back(what + " reaches no vertex of the muscle");
+        add_vertices(attachments, taken, outline.kind, target.bone, vertices);
+    }
+    if (muscle.outlines.empty() && muscle.attach_automatically && nearness)
+        for (std::size_t b = 0; b < bones.size(); ++b) {
+            const double limit = scene.parameters.get("attachment.distance_mm") / unit_mm;
+            add_vertices(
+                attachments, taken, bones[b].moves ? AttachmentKind::insertion : AttachmentKind::origin,
+                static_cast<int>(b), attach_by_distance(*muscle.mesh, topology, bones[b].distance, limit));
+        }
+    std::erase_if(attachments, [](const Attachment& a) { return a.vertices.empty(); });
+    return attachments;
+}
+
+} // namespace fascicle

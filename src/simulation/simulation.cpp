@@ -1,0 +1,163 @@
+#include "fascicle/simulation/simulation.hpp"
+
+#include "fascicle/base/parallel.hpp"
+#include "simulation/prepare.hpp"
+
+#include <chrono>
+
+namespace fascicle {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+class Runner {
+public:
+    Runner(Recording& recording, const SimulationOptions& options, const JobControl& control)
+        : recording_(recording), scene_(recording.scene()), options_(options), control_(control) {}
+
+    void run() {
+        const auto start = Clock::now();
+        PreparedScene prepared = prepare_scene(scene_, options_.threads, control_);
+        for (PreparedMuscle& muscle : prepared.muscles)
+            solvers_.push_back(prepared.method->make(muscle.problem));
+        publish_attachments(prepared);
+        for (std::string& note : prepared.notes)
+            recording_.add_note(std::move(note));
+        recording_.set_prepare_seconds(seconds_since(start));
+        append_frame(0, poses_at(0), {});
+        for (int frame = 1; frame <= scene_.timeline.last_frame; ++frame) {
+            control_.checkpoint("solve", double(frame - 1) / scene_.timeline.last_frame);
+            solve_frame(frame);
+        }
+        control_.checkpoint("solve", 1.0);
+    }
+
+private:
+    std::vector<Pose> poses_at(int frame) const {
+        std::vector<Pose> poses;
+        for (std::size_t b = 0; b < scene_.bones.size(); ++b)
+            poses.push_back(scene_.timeline.bone_pose(static_cast<int>(b), frame));
+        return poses;
+    }
+
+    void solve_frame(int frame) {
+        const std::vector<Pose> from = poses_at(frame - 1), to = poses_at(frame);
+        const auto start = Clock::now();
+        parallel_for(options_.threads, solvers_.size(), 1, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t m = begin; m < end; ++m)
+                solvers_[m]->advance(from, to);
+        });
+        FrameReport report;
+        report.solve_seconds = seconds_since(start);
+        append_frame(frame, to, std::move(report));
+    }
+
+    void append_frame(int index, const std::vector<Pose>& poses, FrameReport report) {
+        auto frame = std::make_shared<Frame>();
+        frame->index = index;
+        frame->angle_rad = scene_.timeline.angle_rad(index);
+        frame->bone_poses = poses;
+        StepReport total;
+        for (const auto& solver : solvers_) {
+            frame->muscle_positions.push_back(std::make_shared<Points>(solver->positions()));
+            const StepReport& part = solver->report();
+            total.contacts += part.contacts;
+            total.unresolved += part.unresolved;
+            total.non_finite += part.non_finite;
+            for (const auto& [stage, seconds] : part.stage_seconds)
+                total.stage_seconds[stage] += seconds;
+        }
+        report.contacts = total.contacts - before_.contacts;
+        report.unresolved = total.unresolved - before_.unresolved;
+        report.non_finite = total.non_finite - before_.non_finite;
+        for (const auto& [stage, seconds] : total.stage_seconds)
+            report.stage_seconds[stage] = seconds - before_.stage_seconds[stage];
+        before_ = std::move(total);
+        frame->report = std::move(report);
+        recording_.append(std::move(frame));
+    }
+
+    /// Attachments in force: the method has the last word (classic fixes what collides at the start).
+    void publish_attachments(const PreparedScene& prepared) {
+        std::vector<std::vector<Attachment>> all;
+        for (std::size_t m = 0; m < solvers_.size(); ++m) {
+            all.push_back(prepared.muscles[m].attachments);
+            if (!all.back().empty())
+                continue;
+            const std::vector<int>& body = solvers_[m]->body_of_vertex();
+            for (std::size_t b = 0; b < scene_.bones.size(); ++b) {
+                Attachment attachment{AttachmentKind::unknown, static_cast<int>(b), {}};
+                for (std::size_t i = 0; i < body.size(); ++i)
+                    if (body[i] == static_cast<int>(b))
+                        attachment.vertices.push_back(static_cast<int>(i));
+                if (!attachment.vertices.empty()) {
+                    recording_.add_note(scene_.muscles[m].name + ": " +
+                                        std::to_string(attachment.vertices.size()) + " vertices fixed to '" +
+                                        scene_.bones[b].name + "' by the method at the start");
+                    all.back().push_back(std::move(attachment));
+                }
+            }
+        }
+        recording_.set_attachments(std::move(all));
+    }
+
+    Recording& recording_;
+    const Scene& scene_;
+    const SimulationOptions& options_;
+    const JobControl& control_;
+    std::vector<std::unique_ptr<SoftBodySolver>> solvers_;
+    StepReport before_;
+};
+
+} // namespace
+
+void run_simulation(Recording& recording, const SimulationOptions& options, const JobControl& control) {
+    try {
+        Runner(recording, options, control).run();
+        recording.finish(RunState::finished);
+    } catch (const Cancelled&) {
+        recording.finish(RunState::cancelled);
+    } catch (const std::bad_alloc&) {
+        recording.finish(RunState::failed, "not enough memory");
+        throw_error(recording.scene().name, "not enough memory for this scene");
+    } catch (const std::exception& error) {
+        recording.finish(RunState::failed, error.what());
+        throw;
+    }
+}
+
+SimulationThread::SimulationThread(ScenePtr scene, SimulationOptions options)
+    : recording_(std::make_shared<Recording>(std::move(scene))) {
+    thread_ = std::thread([this, options] {
+        JobControl control;
+        control.cancel = &cancel_;
+        control.report = [this](std::string_view stage, double fraction) {
+            const std::lock_guard lock(mutex_);
+            stage_ = stage;
+            fraction_ = fraction;
+        };
+        try {
+            run_simulation(*recording_, options, control);
+        } catch (const std::exception&) {
+            // The recording holds the message; whoever shows it reads it there.
+        }
+        done_ = true;
+    });
+}
+
+SimulationThread::~SimulationThread() {
+    cancel_ = true;
+    thread_.join();
+}
+
+std::pair<std::string, double> SimulationThread::progress() const {
+    const std::lock_guard lock(mutex_);
+    return {stage_, fraction_};
+}
+
+} // namespace fascicle

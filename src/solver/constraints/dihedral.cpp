@@ -1,0 +1,73 @@
+#include "solver/constraints/dihedral.hpp"
+
+#include "fascicle/geometry/dihedral_angle.hpp"
+#include "solver/compliance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fascicle::solver {
+
+namespace {
+
+const Vec3& at(const Points& x, int i) {
+    return x[static_cast<std::size_t>(i)];
+}
+
+/// A wing so thin that its angle jumps with the least movement: |N|^2 < 1e-4 l^4, height below a hundredth of
+/// the edge.
+bool sliver(const Vec3& p0, const Vec3& p1, const Vec3& p2, const Vec3& p3) {
+    const double l2 = (p3 - p2).squaredNorm();
+    const double limit = 1e-4 * l2 * l2;
+    return (p2 - p0).cross(p3 - p0).squaredNorm() < limit || (p3 - p1).cross(p2 - p1).squaredNorm() < limit;
+}
+
+} // namespace
+
+DihedralConstraints::DihedralConstraints(const Points& rest, const std::vector<Dihedral>& dihedrals,
+                                         double stiffness) {
+    if (stiffness <= 0.0)
+        return;
+    for (const Dihedral& pair : dihedrals) {
+        const Vec3 &p0 = at(rest, pair.p0), &p1 = at(rest, pair.p1), &p2 = at(rest, pair.p2),
+                   &p3 = at(rest, pair.p3);
+        const auto angle = dihedral_angle_with_gradient(p0, p1, p2, p3);
+        if (!angle || sliver(p0, p1, p2, p3))
+            continue;
+        double weight = 0;
+        for (const Vec3& g : angle->gradient)
+            weight += g.squaredNorm();
+        items_.push_back({{pair.p0, pair.p1, pair.p2, pair.p3},
+                          angle->angle_rad,
+                          compliance_from_stiffness(stiffness, weight)});
+    }
+}
+
+std::size_t DihedralConstraints::project(Points& x, const std::vector<double>& inverse_mass,
+                                         double substep_s) const {
+    const double per_h2 = 1.0 / (substep_s * substep_s);
+    std::size_t skipped = 0;
+    for (const DihedralConstraint& c : items_) {
+        const Vec3 &p0 = at(x, c.p[0]), &p1 = at(x, c.p[1]), &p2 = at(x, c.p[2]), &p3 = at(x, c.p[3]);
+        const auto angle = dihedral_angle_with_gradient(p0, p1, p2, p3);
+        if (!angle || sliver(p0, p1, p2, p3)) {
+            ++skipped;
+            continue;
+        }
+        double weight = 0;
+        for (std::size_t k = 0; k < 4; ++k)
+            weight += inverse_mass[static_cast<std::size_t>(c.p[k])] * angle->gradient[k].squaredNorm();
+        if (weight == 0.0)
+            continue;
+        const double error =
+            std::clamp(wrap_angle(angle->angle_rad - c.rest_rad), -max_correction_rad, max_correction_rad);
+        const double multiplier = -error / (weight + c.compliance * per_h2);
+        for (std::size_t k = 0; k < 4; ++k) {
+            const auto i = static_cast<std::size_t>(c.p[k]);
+            x[i] += inverse_mass[i] * multiplier * angle->gradient[k];
+        }
+    }
+    return skipped;
+}
+
+} // namespace fascicle::solver

@@ -1,0 +1,38 @@
+#pragma once
+// Distance constraints C = |xa - xb| - d, XPBD with one sweep per substep.
+// Sources: Mueller et al. 2007 (projection), Macklin et al. 2016 (compliance).
+
+#include "fascicle/base/types.hpp"
+
+namespace fascicle::solver {
+
+struct DistanceConstraint {
+    int a = 0;
+    int b = 0;
+    double rest = 0;       ///< d, scene units
+    double compliance = 0; ///< alpha, s^2 (unit masses); 0 rigid, infinite: dropped by add()
+};
+
+/// Value and gradients: grad_a = n, grad_b = -n with n = (xa - xb) / |xa - xb|.
+/// Coincident points (|xa - xb| < 1e-9 d) have no direction: n is zero.
+struct DistanceValue {
+    double value = 0;
+    Vec3 gradient_a = Vec3::Zero();
+};
+DistanceValue distance_value(const Vec3& xa, const Vec3& xb, double rest);
+
+class DistanceConstraints {
+public:
+    void add(const DistanceConstraint& constraint);
+    std::size_t size() const { return items_.size(); }
+
+    /// One Gauss-Seidel sweep in the order added: dx_i = w_i grad_i dlambda,
+    /// dlambda = -C / (wa + wb + alpha / h^2), the multiplier starting from zero in every substep h (s).
+    /// x: V points; inverse_mass: V values, 0 for points that must not move.
+    void project(Points& x, const std::vector<double>& inverse_mass, double substep_s) const;
+
+private:
+    std::vector<DistanceConstraint> items_;
+};
+
+} // namespace fascicle::solver

@@ -1,0 +1,30 @@
+#pragma once
+// Volume constraint of a closed surface, C = V - p V0, projected exactly to first order (compliance 0).
+// V = 1/6 sum_t pa . (pb x pc) about a point near the surface; grad_a V = 1/6 sum_t pb x pc, cyclic.
+// Source: Mueller et al. 2007, with the factor 1/6 that eq. 3 of Cervenka & Kohout 2020 leaves out.
+
+#include "fascicle/base/types.hpp"
+
+namespace fascicle::solver {
+
+class VolumeConstraint {
+public:
+    /// rest: V points of the closed surface; pressure p (1 preserves).
+    VolumeConstraint(const Points& rest, std::vector<Tri> triangles, double pressure);
+
+    double rest_volume() const { return rest_volume_; }
+    /// Signed volume of x, scene units cubed; fills gradient() as a side product.
+    double evaluate(const Points& x);
+    const Points& gradient() const { return gradient_; }
+
+    /// x += -w grad C C / sum w |grad C|^2. Does nothing when no free point has a gradient.
+    void project(Points& x, const std::vector<double>& inverse_mass);
+
+private:
+    std::vector<Tri> triangles_;
+    Points gradient_;
+    double rest_volume_ = 0;
+    double wanted_ = 0;
+};
+
+} // namespace fascicle::solver
