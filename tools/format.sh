@@ -2,7 +2,7 @@
 # Formats the tree (default) or, with --check, lists what is not formatted and fails.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-mapfile -t files < <(git ls-files -co --exclude-standard -- '*.cpp' '*.hpp')
+mapfile -d '' files < <(find include src tests bench -name '*.[ch]pp' -print0 2>/dev/null)
 if [ "${1:-}" = "--check" ]; then
     clang-format --dry-run -Werror "${files[@]}"
 else

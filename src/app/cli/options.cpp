@@ -1,0 +1,111 @@
+#include "app/cli/options.hpp"
+
+#include "fascicle/base/error.hpp"
+#include "fascicle/base/param_table.hpp"
+#include "fascicle/base/suggest.hpp"
+
+#include <cmath>
+
+namespace fascicle::app {
+
+namespace {
+
+/// CLI11 takes whatever follows an option as its value; `--out --quiet` is a forgotten value.
+void check_value(const std::string& name, const std::string& text, const std::string& type) {
+    if (text.empty() || text.starts_with("--"))
+        throw_error(name, text.empty() ? "got an empty value" : "got '" + text + "'", type, ErrorKind::usage);
+}
+
+CLI::Option* add_one(CLI::App& app, const std::string& name, const std::string& type,
+                     const std::string& meaning, const std::function<void(const std::string&)>& read) {
+    return app.add_option_function<std::string>(name, read, meaning)->type_name(type);
+}
+
+std::string join(const std::vector<std::string>& words, const char* between) {
+    std::string text;
+    for (const std::string& word : words)
+        text += (text.empty() ? "" : between) + word;
+    return text;
+}
+
+} // namespace
+
+CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& target, const std::string& type,
+                      const std::string& meaning) {
+    return add_one(app, name, type, meaning, [name, type, &target](const std::string& text) {
+        check_value(name, text, type);
+        target = text;
+    });
+}
+
+CLI::Option* add_texts(CLI::App& app, const std::string& name, std::vector<std::string>& target,
+                       const std::string& type, const std::string& meaning) {
+    const auto read = [name, type, &target](const std::vector<std::string>& texts) {
+        for (const std::string& text : texts)
+            check_value(name, text, type);
+        target = texts;
+    };
+    return app.add_option_function<std::vector<std::string>>(name, read, meaning)
+        ->type_name(type)
+        ->allow_extra_args(false);
+}
+
+CLI::Option* add_whole(CLI::App& app, const std::string& name, int& target, int low, int high,
+                       const std::string& type, const std::string& meaning) {
+    return add_one(app, name, type, meaning, [name, low, high, &target](const std::string& text) {
+        target = read_whole(name, text, low, high);
+    });
+}
+
+CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, const std::string& type,
+                        const std::string& meaning) {
+    return add_one(app, name, type, meaning, [name, &target](const std::string& text) {
+        target = read_numbers(name, text, ',', 1, "a number").front();
+    });
+}
+
+CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& target,
+                        const std::vector<std::string>& choices, const std::string& meaning) {
+    const auto read = [name, choices, &target](const std::string& text) {
+        if (std::find(choices.begin(), choices.end(), text) == choices.end())
+            throw_error(name, "got '" + text + "'" + did_you_mean(text, choices),
+                        "one of " + join(choices, ", "), ErrorKind::usage);
+        target = text;
+    };
+    return add_one(app, name, join(choices, "|"), meaning, read);
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+    std::vector<std::string> parts;
+    std::size_t start = 0;
+    for (std::size_t end; (end = text.find(separator, start)) != std::string::npos; start = end + 1)
+        parts.push_back(text.substr(start, end - start));
+    parts.push_back(text.substr(start));
+    return parts;
+}
+
+std::vector<double> read_numbers(const std::string& option, const std::string& text, char separator,
+                                 std::size_t count, const std::string& expected) {
+    std::vector<double> numbers;
+    for (const std::string& part : split(text, separator)) {
+        const std::size_t first = part.find_first_not_of(' '), last = part.find_last_not_of(' ');
+        double number = 0;
+        if (first == std::string::npos || !parse_number(part.substr(first, last - first + 1), number))
+            throw_error(option, "got '" + text + "'", expected, ErrorKind::usage);
+        numbers.push_back(number);
+    }
+    if (numbers.size() != count)
+        throw_error(option, "got '" + text + "'", expected, ErrorKind::usage);
+    return numbers;
+}
+
+int read_whole(const std::string& option, const std::string& text, int low, int high) {
+    double number = 0;
+    if (!parse_number(text, number) || number != std::floor(number) || number < low || number > high)
+        throw_error(option, "got '" + text + "'",
+                    "a whole number from " + std::to_string(low) + " to " + std::to_string(high),
+                    ErrorKind::usage);
+    return static_cast<int>(number);
+}
+
+} // namespace fascicle::app

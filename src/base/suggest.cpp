@@ -1,0 +1,51 @@
+#include "fascicle/base/suggest.hpp"
+
+#include <algorithm>
+
+namespace fascicle {
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    // Optimal string alignment, three rows: before[j] is the distance of a's first i-1 letters to b's first
+    // j.
+    std::vector<std::size_t> before2(b.size() + 1), before(b.size() + 1), row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j)
+        before[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t replaced = before[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+            row[j] = std::min({before[j] + 1, row[j - 1] + 1, replaced});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                row[j] = std::min(row[j], before2[j - 2] + 1);
+        }
+        before2.swap(before);
+        before.swap(row);
+    }
+    return before[b.size()];
+}
+
+std::string nearest_name(std::string_view word, const std::vector<std::string>& known) {
+    const std::size_t longest = 200; // a mistyped name is short; keeps the table small for any input
+    if (word.empty() || word.size() > longest)
+        return {};
+    std::size_t best = std::max<std::size_t>(2, word.size() / 3) + 1;
+    std::string name;
+    for (const std::string& candidate : known) {
+        std::size_t distance = edit_distance(word, candidate);
+        // Three letters or more that begin a name count as near, however long the name is.
+        if (word.size() >= 3 && candidate.starts_with(word))
+            distance = std::min<std::size_t>(distance, 1);
+        if (distance < best && distance < candidate.size()) {
+            best = distance;
+            name = candidate;
+        }
+    }
+    return name;
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
+    const std::string name = nearest_name(word, known);
+    return name.empty() ? std::string() : "; did you mean '" + name + "'?";
+}
+
+} // namespace fascicle
