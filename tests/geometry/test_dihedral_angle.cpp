@@ -133,7 +133,7 @@ TEST_CASE("degenerate hinges are skipped whatever the unit", "[geometry][dihedra
     CHECK(none(Vec3(std::numeric_limits<double>::quiet_NaN(), 0, 0), wing, a, b));
 }
 
-TEST_CASE("wrap_angle brings differences into (-pi, pi]", "[geometry][dihedral_angle]") {
+TEST_CASE("wrap_angle brings differences above -pi and up to pi", "[geometry][dihedral_angle]") {
     CHECK(wrap_angle(0.0) == 0.0);
     CHECK(wrap_angle(pi) == Approx(pi));
     CHECK(wrap_angle(-pi) == Approx(pi));

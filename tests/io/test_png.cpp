@@ -4,6 +4,7 @@
 #include "fascicle/io/files.hpp"
 
 #include <catch2/catch.hpp>
+#include <unistd.h>
 
 using namespace fascicle;
 using Catch::Matchers::Contains;
@@ -14,7 +15,8 @@ namespace {
 struct Folder {
     Folder() { fs::create_directories(path); }
     ~Folder() { fs::remove_all(path); }
-    fs::path path = fs::temp_directory_path() / "fascicle_test_png";
+    // CTest runs tests of this file as processes of their own, at the same time.
+    fs::path path = fs::temp_directory_path() / ("fascicle_test_png_" + std::to_string(::getpid()));
 };
 
 std::vector<std::uint8_t> pattern(int width, int height, bool opaque) {

@@ -204,7 +204,7 @@ TEST_CASE("Lines have the asked width and hide behind surfaces unless on top", "
     }
 }
 
-TEST_CASE("A line through the eye is cut at the near plane; point colours blend",
+TEST_CASE("A line through the eye is cut at the near plane, and point colours blend",
           "[render][scene_renderer]") {
     const OsmesaContext context;
     SceneRenderer renderer;
