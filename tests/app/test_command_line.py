@@ -47,5 +47,15 @@ class UsageErrorTest(ProgramTest):
         self.check_error_result(result, 1, ["standard output", "cannot write"])
 
 
+class PackageListTest(unittest.TestCase):
+    def test_list_and_readme_name_the_same_packages(self):
+        lines = (SOURCE_DIR / "scripts" / "packages").read_text().splitlines()
+        listed = {line.split("#")[0].strip() for line in lines} - {""}
+        tables = [line.split("|") for line in (SOURCE_DIR / "third_party" / "README.md").read_text().splitlines()
+                  if line.startswith("|")]
+        named = {name.strip(" `") for row in tables for name in row[2].split(",") if "`" in name}
+        self.assertEqual(listed, named)
+
+
 if __name__ == "__main__":
     unittest.main()
