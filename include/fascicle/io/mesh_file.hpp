@@ -1,0 +1,33 @@
+#pragma once
+// Mesh files in and out, whatever their format.
+
+#include "fascicle/geometry/mesh_check.hpp"
+#include "fascicle/io/mesh_data.hpp"
+
+#include <filesystem>
+#include <string_view>
+
+namespace fascicle {
+
+/// A mesh file, read and mended.
+struct MeshFile {
+    TriMesh mesh;    ///< mended; vertices and their order as in the file
+    Polylines lines; ///< as in the file
+    MeshReport report;
+    std::string format;             ///< MeshFormat::name
+    std::string hash;               ///< StateHash of the file's bytes
+    std::vector<std::string> notes; ///< what the reader says; report.lines() says the rest
+    std::vector<NamedArray> point_arrays, line_arrays;
+};
+
+/// Reads by content, not only by extension. Error naming the file and the place: no such file, unknown
+/// format, bad numbers or indices, coordinates that are not finite, neither points nor cells.
+MeshFile read_mesh_file(const std::filesystem::path& path);
+
+/// The same for bytes in memory; `name` stands for the file in messages, its extension counts.
+MeshFile read_mesh_bytes(std::string_view bytes, const std::string& name);
+
+/// Writes in the format of the extension; the file is complete or not there. Error when it cannot be written.
+void write_mesh_file(const std::filesystem::path& path, const MeshData& data);
+
+} // namespace fascicle

@@ -1,0 +1,53 @@
+#include "fascicle/io/mesh_file.hpp"
+
+#include "fascicle/base/error.hpp"
+#include "fascicle/base/state_hash.hpp"
+#include "fascicle/io/files.hpp"
+#include "fascicle/io/format_registry.hpp"
+
+namespace fascicle {
+
+MeshFile read_mesh_bytes(std::string_view bytes, const std::string& name) {
+    std::string_view content = bytes;
+    if (content.substr(0, 3) == "\xef\xbb\xbf") // UTF-8 byte order mark
+        content.remove_prefix(3);
+    const MeshFormat* format = recognise_format(content, name);
+    if (format == nullptr) {
+        std::string known;
+        for (const MeshFormat& f : mesh_formats())
+            known += (known.empty() ? "" : ", ") + f.name;
+        throw_error(name, content.empty() ? "the file is empty" : "the file is of no known format", known);
+    }
+    MeshData data = format->read(content, name);
+    if (data.mesh.positions.empty() && data.lines.points.empty())
+        throw_error(name, "the file holds no points", "a mesh");
+    MeshFile file;
+    file.lines = std::move(data.lines);
+    file.format = format->name;
+    file.notes = std::move(data.notes);
+    file.point_arrays = std::move(data.point_arrays);
+    file.line_arrays = std::move(data.line_arrays);
+    StateHash hash;
+    hash.add_bytes(bytes.data(), bytes.size());
+    file.hash = hash.hex();
+    MendedMesh mended = mend(std::move(data.mesh));
+    if (!mended.report.usable()) // the readers name the line; this is the net below them
+        require_bone_surface(mended.report, name);
+    file.mesh = std::move(mended.mesh);
+    file.report = mended.report;
+    return file;
+}
+
+MeshFile read_mesh_file(const std::filesystem::path& path) {
+    const std::string bytes = read_file(path);
+    return read_mesh_bytes(bytes, path.string());
+}
+
+void write_mesh_file(const std::filesystem::path& path, const MeshData& data) {
+    const MeshFormat& format = format_for_writing(path);
+    AtomicFile file(path);
+    format.write(file.stream(), data);
+    file.commit();
+}
+
+} // namespace fascicle
