@@ -2,6 +2,8 @@
 
 #include "fascicle/base/assert.hpp"
 
+#include <Eigen/Geometry>
+#include <cmath>
 #include <map>
 
 namespace fascicle {
@@ -68,6 +70,33 @@ private:
 TriMesh box_mesh(const Vec3& lower, const Vec3& upper, const std::array<int, 3>& cells) {
     FASCICLE_ASSERT(cells[0] >= 1 && cells[1] >= 1 && cells[2] >= 1 && (upper - lower).minCoeff() > 0.0);
     return BoxBuilder(lower, upper, cells).run();
+}
+
+TriMesh cylinder_mesh(const Vec3& from, const Vec3& to, double radius, int around, int along) {
+    FASCICLE_ASSERT(around >= 3 && along >= 1 && radius > 0.0 && (to - from).squaredNorm() > 0.0);
+    const Vec3 axis = (to - from).normalized();
+    const Vec3 u = axis.unitOrthogonal(), v = axis.cross(u);
+    TriMesh mesh;
+    for (int k = 0; k <= along; ++k)
+        for (int i = 0; i < around; ++i) {
+            const double angle = 2.0 * 3.14159265358979323846 * i / around;
+            mesh.positions.push_back(from + (to - from) * k / along +
+                                     radius * (std::cos(angle) * u + std::sin(angle) * v));
+        }
+    const int low = mesh.vertex_count(), high = low + 1;
+    mesh.positions.push_back(from);
+    mesh.positions.push_back(to);
+    for (int i = 0; i < around; ++i) {
+        const int j = (i + 1) % around;
+        mesh.triangles.push_back({low, j, i});
+        for (int k = 0; k < along; ++k) {
+            const int a = k * around + i, b = k * around + j;
+            mesh.triangles.push_back({a, b, b + around});
+            mesh.triangles.push_back({a, b + around, a + around});
+        }
+        mesh.triangles.push_back({high, along * around + i, along * around + j});
+    }
+    return mesh;
 }
 
 } // namespace fascicle

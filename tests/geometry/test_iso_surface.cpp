@@ -109,3 +109,14 @@ TEST_CASE("a box mesh has the counts and volume of its formula", "[geometry][pri
     CHECK(r.euler == 2);
     CHECK(r.volume == Approx(5.0 * 2.0 * 7.0));
 }
+
+TEST_CASE("a cylinder mesh is closed and its volume that of the prism inside the cylinder",
+          "[geometry][primitives]") {
+    const TriMesh mesh = cylinder_mesh(Vec3(1, 2, 3), Vec3(1, 8, 3), 2.0, 40, 5);
+    const auto r = test::report(mesh);
+    CHECK(mesh.triangle_count() == 2 * 40 * 6);
+    CHECK(r.closed);
+    CHECK(r.one_fan);
+    CHECK(r.euler == 2);
+    CHECK(r.volume == Approx(0.5 * 40 * std::sin(2.0 * pi / 40) * 4.0 * 6.0));
+}
