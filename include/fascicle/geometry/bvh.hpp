@@ -1,0 +1,71 @@
+#pragma once
+// Bounding volume hierarchy over a triangle surface: exact closest points.
+
+#include "fascicle/geometry/tri_mesh.hpp"
+
+#include <limits>
+
+namespace fascicle {
+
+/// triangle: number in the mesh, -1 when nothing lies within reach (the rest then has no meaning). weights:
+/// barycentric, of the triangle's corners.
+struct SurfacePoint {
+    int triangle = -1;
+    double squared_distance = std::numeric_limits<double>::infinity();
+    Vec3 point = Vec3::Zero();
+    Vec3 weights = Vec3::Zero();
+};
+
+/// Keeps its own copy of the corners. Queries are const, allocate nothing and may run on several threads.
+class TriangleBvh {
+public:
+    TriangleBvh() = default;
+    /// Indices must be in range and positions finite; triangles without area count as segments or points.
+    TriangleBvh(const Points& points, const std::vector<Tri>& triangles);
+    explicit TriangleBvh(const TriMesh& mesh) : TriangleBvh(mesh.positions, mesh.triangles) {}
+
+    /// Same triangles, moved points: recomputes corners and boxes and keeps the grouping. Exact for any
+    /// motion; slow only when neighbours part.
+    void refit(const Points& points);
+
+    /// Nearest surface point with squared_distance < max_distance^2; triangle == -1 when there is none (also
+    /// for a p that is not finite). Of equally near triangles the one met first, which depends on p,
+    /// max_distance and hint alone. hint: a triangle that is probably near (its distance bounds the search),
+    /// or -1.
+    SurfacePoint closest(const Vec3& p, double max_distance = std::numeric_limits<double>::infinity(),
+                         int hint = -1) const;
+    /// closest(...) without the foot: squared distance, and the triangle in `hint` (unchanged when nothing
+    /// lies within reach, and max_distance^2 is returned).
+    double closest_squared_distance(const Vec3& p, double max_distance, int& hint) const;
+
+    int triangle_count() const { return static_cast<int>(slot_of_.size()); }
+    std::size_t bytes() const;
+
+private:
+    /// Boxes of 4 children, coordinate by coordinate; boxes of absent children are inverted (infinitely far).
+    /// child >= 0: a node; else leaf ~child.
+    struct alignas(16) Node {
+        std::array<std::array<double, 4>, 3> low;
+        std::array<std::array<double, 4>, 3> high;
+        std::array<int, 4> child;
+    };
+    /// 4 triangles side by side: [corner][coordinate][lane]; spare lanes repeat the last triangle.
+    struct alignas(16) Leaf {
+        std::array<std::array<std::array<double, 4>, 3>, 3> corners;
+    };
+    struct Nearest {
+        double squared_distance;
+        int slot; ///< 4 * leaf + lane, or -1
+    };
+    void search(const Vec3& p, Nearest& best) const;
+    static void try_leaf(const Leaf& leaf, int number, const Vec3& p, Nearest& best);
+    void fit_boxes();
+
+    std::vector<Node> nodes_;
+    std::vector<Leaf> leaves_;
+    std::vector<Tri> slot_vertices_; ///< by slot, spare lanes too
+    std::vector<int> slot_of_;       ///< triangle -> slot
+    std::vector<int> triangle_of_;   ///< slot -> triangle
+};
+
+} // namespace fascicle
