@@ -32,7 +32,9 @@ inline double signed_distance(const TriMesh& mesh, const Vec3& p) {
 class Random {
 public:
     explicit Random(unsigned seed) : engine_(seed) {}
-    double real(double low, double high) { return low + (high - low) * (static_cast<double>(engine_()) * 0x1p-32); }
+    double real(double low, double high) {
+        return low + (high - low) * (static_cast<double>(engine_()) * 0x1p-32);
+    }
     std::size_t index(std::size_t count) { return engine_() % count; }
     Vec3 in_box(const Vec3& low, const Vec3& high) {
         const double x = real(low.x(), high.x()), y = real(low.y(), high.y());
