@@ -1,0 +1,255 @@
+#include "view/build_draw_list.hpp"
+
+#include "fascicle/base/assert.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fascicle::view {
+
+namespace {
+
+constexpr std::uint64_t ghost_ids = std::uint64_t{3} << 32;
+
+render::Mat4f model_matrix(const Pose& pose) {
+    render::Mat4f m{};
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
+            m[static_cast<std::size_t>(4 * column + row)] = static_cast<float>(pose.rotation(row, column));
+    for (int row = 0; row < 3; ++row)
+        m[static_cast<std::size_t>(12 + row)] = static_cast<float>(pose.translation[row]);
+    m[15] = 1.0f;
+    return m;
+}
+
+Pose bone_pose(const ViewSubject& subject, std::size_t bone) {
+    return subject.frame ? subject.frame->bone_poses[bone] : Pose{};
+}
+
+PointsPtr muscle_points(const FramePtr& frame, const Muscle& muscle, std::size_t index) {
+    return frame ? frame->muscle_positions[index] : mesh_points(muscle.mesh);
+}
+
+const std::vector<Attachment>& attachments_of(const ViewSubject& subject, std::size_t muscle) {
+    return muscle < subject.attachments.size() ? subject.attachments[muscle]
+                                               : subject.scene->muscles[muscle].attachments;
+}
+
+render::Rgba brighter(render::Rgba colour) {
+    for (std::size_t c = 0; c < 3; ++c)
+        colour[c] += 0.35f * (1.0f - colour[c]);
+    return colour;
+}
+
+void require_fitting(const Scene& scene, const FramePtr& frame) {
+    if (!frame)
+        return;
+    FASCICLE_ASSERT(frame->bone_poses.size() == scene.bones.size());
+    FASCICLE_ASSERT(frame->muscle_positions.size() == scene.muscles.size());
+}
+
+void add_bones(render::DrawList& list, const ViewSubject& subject, const ViewOptions& options,
+               DrawCache& cache) {
+    for (std::size_t i = 0; i < subject.scene->bones.size(); ++i) {
+        const MeshPtr& mesh = subject.scene->bones[i].mesh;
+        if (!options.bone_visible(i) || !mesh)
+            continue;
+        const SurfaceArrays arrays = cache.bone_surface(i, mesh);
+        render::SurfaceItem item;
+        item.id = bone_item_id(i);
+        item.positions = arrays.positions;
+        item.normals = arrays.normals;
+        item.triangles = cache.triangles(i, true, mesh);
+        item.colour = static_cast<int>(i) == options.selected_bone ? brighter(palette::bone) : palette::bone;
+        item.colour[3] = options.bone_opacity;
+        item.model = model_matrix(bone_pose(subject, i));
+        item.gloss = 0.12f;
+        item.wireframe = options.wireframe;
+        list.surfaces.push_back(std::move(item));
+    }
+}
+
+void add_muscle(render::DrawList& list, const ViewSubject& subject, const ViewOptions& options,
+                DrawCache& cache, std::size_t i) {
+    const Muscle& muscle = subject.scene->muscles[i];
+    const PointsPtr points = muscle_points(subject.frame, muscle, i);
+    const PointsPtr rest = muscle_points(subject.rest, muscle, i);
+    const std::vector<Attachment>& attachments = attachments_of(subject, i);
+    const SurfaceArrays arrays = cache.muscle_surface(i, muscle.mesh, points);
+    const IndexTriangles triangles = cache.triangles(i, false, muscle.mesh);
+
+    render::SurfaceItem item;
+    item.id = muscle_item_id(i);
+    item.positions = arrays.positions;
+    item.normals = arrays.normals;
+    item.triangles = triangles;
+    item.colour =
+        static_cast<int>(i) == options.selected_muscle ? brighter(palette::muscle) : palette::muscle;
+    if (options.strain)
+        item.vertex_colours = cache.extension_colours(i, muscle.mesh, rest, points, options.strain_scale);
+    else if (options.attachments && !attachments.empty())
+        item.vertex_colours = cache.attachment_colours(i, muscle.mesh, attachments, item.colour);
+    item.colour[3] = options.muscle_opacity;
+    item.gloss = options.strain ? 0.1f : 0.42f; // a highlight would hide the colour that is read as a number
+    item.wireframe = options.wireframe;
+    list.surfaces.push_back(std::move(item));
+
+    if (options.attachments && !attachments.empty()) {
+        const BorderLines border = cache.attachment_border(i, muscle.mesh, attachments, points);
+        if (!border.points->empty()) {
+            render::LineItem line;
+            line.points = border.points;
+            line.point_colours = border.colours;
+            line.width_px = 1.5f;
+            list.lines.push_back(std::move(line));
+        }
+    }
+    if (options.rest_ghost && subject.frame && subject.rest && points != rest) {
+        const SurfaceArrays ghost = cache.ghost_surface(i, muscle.mesh, rest);
+        render::SurfaceItem faint;
+        faint.id = ghost_ids | i;
+        faint.positions = ghost.positions;
+        faint.normals = ghost.normals;
+        faint.triangles = triangles;
+        faint.colour = palette::ghost;
+        faint.gloss = 0.0f;
+        list.surfaces.push_back(std::move(faint));
+    }
+}
+
+// The axis reaches 10 % of the scene's diagonal beyond the scene at rest, once hidden by surfaces and once faintly over
+// them, so that its place inside the joint can be read.
+void add_joint_axis(render::DrawList& list, const ViewSubject& subject, const ViewOptions& options,
+                    DrawCache& cache) {
+    const std::optional<Hinge>& hinge = subject.scene->timeline.hinge;
+    if (!options.joint_axis || !hinge || !(hinge->axis.norm() > 0))
+        return;
+    const BoundingBox box = cache.rest_bounds(*subject.scene);
+    if (box.empty())
+        return;
+    const Vec3 axis = hinge->axis.normalized();
+    double low = 0, high = 0; // the centre is always on it
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 p(corner & 1 ? box.max.x() : box.min.x(), corner & 2 ? box.max.y() : box.min.y(),
+                     corner & 4 ? box.max.z() : box.min.z());
+        low = std::min(low, (p - hinge->centre).dot(axis));
+        high = std::max(high, (p - hinge->centre).dot(axis));
+    }
+    const double beyond = 0.1 * box.diagonal();
+    const Vec3 start = hinge->centre + (low - beyond) * axis, end = hinge->centre + (high + beyond) * axis;
+    render::LineItem line;
+    line.points = std::make_shared<const std::vector<render::Vec3f>>(std::vector<render::Vec3f>{
+        {static_cast<float>(start.x()), static_cast<float>(start.y()), static_cast<float>(start.z())},
+        {static_cast<float>(end.x()), static_cast<float>(end.y()), static_cast<float>(end.z())}});
+    line.colour = palette::joint_axis;
+    line.width_px = 2.0f;
+    list.lines.push_back(line);
+    line.colour[3] = 0.35f;
+    line.on_top = true;
+    list.lines.push_back(std::move(line));
+}
+
+} // namespace
+
+std::uint64_t bone_item_id(std::size_t bone) {
+    return (std::uint64_t{1} << 32) | bone;
+}
+
+std::uint64_t muscle_item_id(std::size_t muscle) {
+    return (std::uint64_t{2} << 32) | muscle;
+}
+
+ViewSubject subject_of(ScenePtr scene) {
+    return {std::move(scene), nullptr, nullptr, {}};
+}
+
+ViewSubject subject_of(const Recording& recording, int k) {
+    FramePtr frame = recording.frame(k);
+    if (!frame)
+        frame = recording.last_frame();
+    return {recording.scene_ptr(), std::move(frame), recording.frame(0), recording.attachments()};
+}
+
+render::DrawList build_draw_list(const ViewSubject& subject, const ViewOptions& options,
+                                 const render::CameraPose& camera, DrawCache& cache) {
+    FASCICLE_ASSERT(subject.scene != nullptr);
+    require_fitting(*subject.scene, subject.frame);
+    require_fitting(*subject.scene, subject.rest);
+    render::DrawList list;
+    list.camera = camera;
+    add_bones(list, subject, options, cache);
+    for (std::size_t i = 0; i < subject.scene->muscles.size(); ++i)
+        if (options.muscle_visible(i) && subject.scene->muscles[i].mesh)
+            add_muscle(list, subject, options, cache, i);
+    add_joint_axis(list, subject, options, cache);
+    return list;
+}
+
+Points visible_points(const ViewSubject& subject, const ViewOptions& options) {
+    const Scene& scene = *subject.scene;
+    Points points;
+    const auto add_all = [&](const auto& bone_shown, const auto& muscle_shown) {
+        for (std::size_t i = 0; i < scene.bones.size(); ++i)
+            if (scene.bones[i].mesh && bone_shown(i)) {
+                const Pose pose = bone_pose(subject, i);
+                for (const Vec3& p : scene.bones[i].mesh->positions)
+                    points.push_back(pose.apply(p));
+            }
+        for (std::size_t i = 0; i < scene.muscles.size(); ++i)
+            if (scene.muscles[i].mesh && muscle_shown(i)) {
+                const PointsPtr muscle = muscle_points(subject.frame, scene.muscles[i], i);
+                points.insert(points.end(), muscle->begin(), muscle->end());
+            }
+    };
+    add_all([&](std::size_t i) { return options.bone_visible(i); },
+            [&](std::size_t i) { return options.muscle_visible(i); });
+    if (points.empty())
+        add_all([](std::size_t) { return true; }, [](std::size_t) { return true; });
+    return points;
+}
+
+BoundingBox visible_bounds(const ViewSubject& subject, const ViewOptions& options) {
+    return bounding_box(visible_points(subject, options));
+}
+
+BoundingBox motion_bounds(const Scene& scene) {
+    BoundingBox box;
+    for (const Muscle& muscle : scene.muscles)
+        if (muscle.mesh)
+            box.add(bounding_box(muscle.mesh->positions));
+    constexpr int samples = 25;
+    for (std::size_t i = 0; i < scene.bones.size(); ++i) {
+        if (!scene.bones[i].mesh)
+            continue;
+        const BoundingBox rest = bounding_box(scene.bones[i].mesh->positions);
+        if (rest.empty())
+            continue;
+        box.add(rest);
+        for (int k = 0; k < samples; ++k) {
+            const double frame = static_cast<double>(scene.timeline.last_frame) * k / (samples - 1);
+            const Pose pose = scene.timeline.bone_pose(static_cast<int>(i), frame);
+            for (int corner = 0; corner < 8; ++corner)
+                box.add(pose.apply(Vec3(corner & 1 ? rest.max.x() : rest.min.x(),
+                                        corner & 2 ? rest.max.y() : rest.min.y(),
+                                        corner & 4 ? rest.max.z() : rest.min.z())));
+        }
+    }
+    return box;
+}
+
+Camera picture_camera(const ViewSubject& subject, double aspect, const ViewOptions& options,
+                      std::optional<StandardView> standard, WorldAxes axes) {
+    Camera camera(axes);
+    if (standard)
+        camera.look_from(*standard);
+    else
+        camera.orbit_by(35.0 * 3.14159265358979323846 / 180.0, 12.0 * 3.14159265358979323846 / 180.0);
+    const Points points = visible_points(subject, options);
+    BoundingBox reach = motion_bounds(*subject.scene);
+    reach.add(bounding_box(points));
+    camera.set_scene_bounds(reach);
+    camera.frame(points, aspect);
+    return camera;
+}
+
+} // namespace fascicle::view

@@ -1,0 +1,203 @@
+#include "view/draw_cache.hpp"
+
+#include "fascicle/base/assert.hpp"
+#include "fascicle/geometry/vertex_normals.hpp"
+#include "view/vertex_extension.hpp"
+
+namespace fascicle::view {
+
+namespace {
+
+render::Vec3f narrow(const Vec3& p) {
+    return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
+}
+
+FloatPoints narrow(const Points& points) {
+    auto result = std::make_shared<std::vector<render::Vec3f>>();
+    result->reserve(points.size());
+    for (const Vec3& p : points)
+        result->push_back(narrow(p));
+    return result;
+}
+
+bool same(const std::vector<Attachment>& a, const std::vector<Attachment>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Attachment& x, const Attachment& y) {
+        return x.kind == y.kind && x.bone == y.bone && x.vertices == y.vertices;
+    });
+}
+
+bool same(const ColourScale& a, const ColourScale& b) {
+    return a.map == b.map && a.low == b.low && a.high == b.high;
+}
+
+} // namespace
+
+PointsPtr mesh_points(const MeshPtr& mesh) {
+    return {mesh, &mesh->positions};
+}
+
+DrawCache::Object& DrawCache::object(std::vector<Object>& list, std::size_t index, const MeshPtr& mesh) {
+    FASCICLE_ASSERT(mesh != nullptr);
+    if (index >= list.size())
+        list.resize(index + 1);
+    if (list[index].mesh != mesh) {
+        list[index] = Object{};
+        list[index].mesh = mesh;
+    }
+    return list[index];
+}
+
+const MeshTopology& DrawCache::topology(Object& object) {
+    if (!object.topology) {
+        object.topology = std::make_shared<MeshTopology>(object.mesh->vertex_count(), object.mesh->triangles);
+        ++computed_;
+    }
+    return *object.topology;
+}
+
+SurfaceArrays DrawCache::make_surface(const Points& points, const TriMesh& mesh) {
+    FASCICLE_ASSERT(points.size() == mesh.positions.size());
+    ++computed_;
+    return {narrow(points), narrow(vertex_normals(points, mesh.triangles))};
+}
+
+IndexTriangles DrawCache::triangles(std::size_t muscle_or_bone, bool bone, const MeshPtr& mesh) {
+    Object& entry = object(bone ? bones_ : muscles_, muscle_or_bone, mesh);
+    if (!entry.triangles) {
+        auto result = std::make_shared<std::vector<std::array<std::uint32_t, 3>>>();
+        result->reserve(mesh->triangles.size());
+        for (const Tri& t : mesh->triangles)
+            result->push_back({static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]),
+                               static_cast<std::uint32_t>(t[2])});
+        entry.triangles = result;
+        ++computed_;
+    }
+    return entry.triangles;
+}
+
+SurfaceArrays DrawCache::bone_surface(std::size_t bone, const MeshPtr& mesh) {
+    Object& entry = object(bones_, bone, mesh);
+    if (!entry.surface.positions)
+        entry.surface = make_surface(mesh->positions, *mesh);
+    return entry.surface;
+}
+
+SurfaceArrays DrawCache::muscle_surface(std::size_t muscle, const MeshPtr& mesh, const PointsPtr& points) {
+    Object& entry = object(muscles_, muscle, mesh);
+    if (entry.points != points) {
+        entry.surface = make_surface(*points, *mesh);
+        entry.points = points;
+    }
+    return entry.surface;
+}
+
+SurfaceArrays DrawCache::ghost_surface(std::size_t muscle, const MeshPtr& mesh, const PointsPtr& rest) {
+    Object& entry = object(muscles_, muscle, mesh);
+    if (entry.ghost_points != rest) {
+        entry.ghost = make_surface(*rest, *mesh);
+        entry.ghost_points = rest;
+    }
+    return entry.ghost;
+}
+
+BoundingBox DrawCache::rest_bounds(const Scene& scene) {
+    BoundingBox all;
+    const auto add = [&](Object& entry) {
+        if (!entry.bounds) {
+            entry.bounds = bounding_box(entry.mesh->positions);
+            ++computed_;
+        }
+        all.add(*entry.bounds);
+    };
+    for (std::size_t i = 0; i < scene.bones.size(); ++i)
+        if (scene.bones[i].mesh)
+            add(object(bones_, i, scene.bones[i].mesh));
+    for (std::size_t i = 0; i < scene.muscles.size(); ++i)
+        if (scene.muscles[i].mesh)
+            add(object(muscles_, i, scene.muscles[i].mesh));
+    return all;
+}
+
+void DrawCache::set_attachments(Object& object, const std::vector<Attachment>& attachments) {
+    if (object.has_attachments && same(object.attachments, attachments))
+        return;
+    object.attachments = attachments;
+    object.has_attachments = true;
+    object.kinds = vertex_kinds(object.mesh->vertex_count(), attachments);
+    object.segments = border_segments(object.mesh->triangles, object.kinds);
+    object.kind_colours = nullptr;
+    object.border_colours = nullptr;
+    object.border_for = nullptr;
+    ++computed_;
+}
+
+FloatColours DrawCache::attachment_colours(std::size_t muscle, const MeshPtr& mesh,
+                                           const std::vector<Attachment>& attachments,
+                                           const render::Rgba& base) {
+    Object& entry = object(muscles_, muscle, mesh);
+    set_attachments(entry, attachments);
+    if (entry.kind_colours && entry.kind_base == base)
+        return entry.kind_colours;
+    auto colours = std::make_shared<std::vector<render::Rgba>>(mesh->positions.size(), base);
+    for (std::size_t i = 0; i < colours->size(); ++i)
+        if (entry.kinds[i])
+            (*colours)[i] = attachment_colour(*entry.kinds[i]);
+    entry.kind_colours = colours;
+    entry.kind_base = base;
+    ++computed_;
+    return colours;
+}
+
+FloatColours DrawCache::extension_colours(std::size_t muscle, const MeshPtr& mesh, const PointsPtr& rest,
+                                          const PointsPtr& points, const ColourScale& scale) {
+    Object& entry = object(muscles_, muscle, mesh);
+    if (entry.extension_colours && entry.extension_rest == rest && entry.extension_points == points &&
+        same(entry.extension_scale, scale))
+        return entry.extension_colours;
+    auto colours = std::make_shared<std::vector<render::Rgba>>();
+    colours->reserve(points->size());
+    for (const double extension : vertex_extension(topology(entry), *rest, *points))
+        colours->push_back(scale.colour(extension));
+    entry.extension_colours = colours;
+    entry.extension_rest = rest;
+    entry.extension_points = points;
+    entry.extension_scale = scale;
+    ++computed_;
+    return colours;
+}
+
+BorderLines DrawCache::attachment_border(std::size_t muscle, const MeshPtr& mesh,
+                                         const std::vector<Attachment>& attachments,
+                                         const PointsPtr& points) {
+    Object& entry = object(muscles_, muscle, mesh);
+    set_attachments(entry, attachments);
+    if (!entry.border_colours) {
+        auto colours = std::make_shared<std::vector<render::Rgba>>();
+        for (const BorderSegment& segment : entry.segments) {
+            render::Rgba colour = attachment_colour(segment.kind);
+            for (std::size_t c = 0; c < 3; ++c)
+                colour[c] *= 0.55f; // darker than the area it encloses
+            colours->insert(colours->end(), 2, colour);
+        }
+        entry.border_colours = colours;
+        ++computed_;
+    }
+    if (entry.border_for != points) {
+        auto ends = std::make_shared<std::vector<render::Vec3f>>();
+        ends->reserve(2 * entry.segments.size());
+        const auto middle = [&](int a, int b) {
+            return narrow(Vec3(
+                0.5 * ((*points)[static_cast<std::size_t>(a)] + (*points)[static_cast<std::size_t>(b)])));
+        };
+        for (const BorderSegment& segment : entry.segments) {
+            ends->push_back(middle(segment.a0, segment.a1));
+            ends->push_back(middle(segment.b0, segment.b1));
+        }
+        entry.border_points = ends;
+        entry.border_for = points;
+        ++computed_;
+    }
+    return {entry.border_points, entry.border_colours};
+}
+
+} // namespace fascicle::view

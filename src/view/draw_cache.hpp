@@ -1,0 +1,84 @@
+#pragma once
+// Arrays for the GPU made from meshes and frames, kept from one picture to the next.
+
+#include "fascicle/geometry/bounding_box.hpp"
+#include "fascicle/geometry/mesh_topology.hpp"
+#include "fascicle/scene/recording.hpp"
+#include "render/draw_list.hpp"
+#include "view/attachment_marks.hpp"
+#include "view/colour_map.hpp"
+
+namespace fascicle::view {
+
+using FloatPoints = std::shared_ptr<const std::vector<render::Vec3f>>;
+using FloatColours = std::shared_ptr<const std::vector<render::Rgba>>;
+using IndexTriangles = std::shared_ptr<const std::vector<std::array<std::uint32_t, 3>>>;
+
+struct SurfaceArrays {
+    FloatPoints positions, normals;
+};
+
+struct BorderLines {
+    FloatPoints points; ///< two per segment
+    FloatColours colours;
+};
+
+/// Owned by whoever draws the same scene again and again (one cache per view). Everything is keyed by the shared
+/// arrays it is made from, and the last result of each object is kept: asking again with the same ones computes nothing.
+/// Not thread-safe.
+class DrawCache {
+public:
+    IndexTriangles triangles(std::size_t muscle_or_bone, bool bone, const MeshPtr& mesh);
+    /// At rest, in the mesh's own coordinates.
+    SurfaceArrays bone_surface(std::size_t bone, const MeshPtr& mesh);
+    SurfaceArrays muscle_surface(std::size_t muscle, const MeshPtr& mesh, const PointsPtr& points);
+    SurfaceArrays ghost_surface(std::size_t muscle, const MeshPtr& mesh, const PointsPtr& rest);
+    /// Muscle red with coloured attachment areas.
+    FloatColours attachment_colours(std::size_t muscle, const MeshPtr& mesh,
+                                    const std::vector<Attachment>& attachments, const render::Rgba& base);
+    /// Extension against rest through the scale.
+    FloatColours extension_colours(std::size_t muscle, const MeshPtr& mesh, const PointsPtr& rest,
+                                   const PointsPtr& points, const ColourScale& scale);
+    BorderLines attachment_border(std::size_t muscle, const MeshPtr& mesh,
+                                  const std::vector<Attachment>& attachments, const PointsPtr& points);
+
+    /// Box of all meshes of the scene at rest, shown or not.
+    BoundingBox rest_bounds(const Scene& scene);
+
+    /// How many arrays were computed so far: stays the same while nothing changes.
+    int computed() const { return computed_; }
+
+private:
+    struct Object { // a bone, a muscle
+        MeshPtr mesh;
+        IndexTriangles triangles;
+        std::optional<BoundingBox> bounds;
+        PointsPtr points, ghost_points;
+        SurfaceArrays surface, ghost;
+        std::shared_ptr<const MeshTopology> topology;
+        // colours and borders
+        std::vector<Attachment> attachments;
+        bool has_attachments = false;
+        std::vector<std::optional<AttachmentKind>> kinds;
+        std::vector<BorderSegment> segments;
+        FloatColours kind_colours, border_colours;
+        render::Rgba kind_base{};
+        FloatPoints border_points;
+        PointsPtr border_for;
+        FloatColours extension_colours;
+        PointsPtr extension_rest, extension_points;
+        ColourScale extension_scale;
+    };
+    Object& object(std::vector<Object>& list, std::size_t index, const MeshPtr& mesh);
+    const MeshTopology& topology(Object& object);
+    void set_attachments(Object& object, const std::vector<Attachment>& attachments);
+    SurfaceArrays make_surface(const Points& points, const TriMesh& mesh);
+
+    std::vector<Object> bones_, muscles_;
+    int computed_ = 0;
+};
+
+/// The mesh's own positions as a shared array (no copy).
+PointsPtr mesh_points(const MeshPtr& mesh);
+
+} // namespace fascicle::view
