@@ -193,12 +193,12 @@ void SceneRenderer::draw_lines(const LineItem& item, const Pass& pass) {
             gl::VertexAttrib4f(attribute, item.colour[0], item.colour[1], item.colour[2], item.colour[3]);
         }
     }
-    const glm::mat4 view_projection = pass.projection * pass.view;
     line_.use();
-    line_.set_mat4("view_projection", glm::value_ptr(view_projection));
+    line_.set_mat4("view", glm::value_ptr(pass.view));
+    line_.set_mat4("projection", glm::value_ptr(pass.projection));
     line_.set("viewport", pass.width, pass.height);
     line_.set("width", std::max(item.width_px, 0.0f) * pass.pixel_scale);
-    line_.set("depth_shift", 2e-4f); // a line on a surface wins over it
+    line_.set("lift", 2.0f * pass.pixel_scale); // a line on a surface wins over it
     gl::DrawArraysInstanced(GL_TRIANGLES, 0, 6, static_cast<GLsizei>(item.points->size() / 2));
 }
 

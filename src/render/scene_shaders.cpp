@@ -38,13 +38,16 @@ uniform mat3 normal_matrix;
 out Surface {
     vec3 position;
     vec3 normal;
-    vec4 colour;
+    vec4 colour; // linear
 } to_next;
+vec3 to_linear(vec3 c) {
+    return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(vec3(0.04045), c));
+}
 void main() {
     vec4 seen = model_view * vec4(position, 1.0);
     to_next.position = seen.xyz;
     to_next.normal = normal_matrix * normal;
-    to_next.colour = vertex_colour;
+    to_next.colour = vec4(to_linear(vertex_colour.rgb), vertex_colour.a);
     gl_Position = projection * seen;
 }
 )";
@@ -126,9 +129,6 @@ uniform int orthographic;
 uniform float front_sign;
 out vec4 result;
 
-vec3 to_linear(vec3 c) {
-    return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(vec3(0.04045), c));
-}
 vec3 to_srgb(vec3 c) {
     c = clamp(c, 0.0, 1.0);
     return mix(c * 12.92, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(vec3(0.0031308), c));
@@ -136,7 +136,7 @@ vec3 to_srgb(vec3 c) {
 // Bends values above 0.75 over towards 1, so that bright places keep their form.
 vec3 shoulder(vec3 c) {
     vec3 over = max(c - 0.75, 0.0);
-    return min(c, 0.75) + 0.25 * (1.0 - exp(-over / 0.25));
+    return min(c, 0.75) + 0.25 * over / (0.25 + over);
 }
 
 void main() {
@@ -161,16 +161,17 @@ void main() {
     float shade = mix(0.55, 1.0, smoothstep(0.0, 0.75, facing));
     vec3 light = (hemisphere + vec3(0.80, 0.78, 0.74) * diffuse + vec3(0.13, 0.15, 0.18) * fill_light) * shade;
 
-    vec3 albedo = to_linear(from.colour.rgb);
+    vec3 albedo = from.colour.rgb;
     if (!front)
         albedo = mix(albedo, vec3(dot(albedo, vec3(0.2126, 0.7152, 0.0722))), 0.5) * 0.6; // the inside
     float power = mix(12.0, 90.0, gloss);
     float highlight = pow(clamp(dot(n, normalize(key + eye)), 0.0, 1.0), power) * gloss * 0.45;
-    float rim = pow(1.0 - facing, 4.0) * 0.22 * (0.4 + 0.6 * clamp(n.y + 0.3, 0.0, 1.0));
+    float edge_on = (1.0 - facing) * (1.0 - facing);
+    float rim = edge_on * edge_on * 0.22 * (0.4 + 0.6 * clamp(n.y + 0.3, 0.0, 1.0));
     vec3 colour = albedo * light + highlight + rim * mix(vec3(0.75, 0.82, 0.95), albedo, 0.4);
     // Glass-like: a transparent surface is denser where it is seen edge-on.
     float alpha = from.colour.a * opacity;
-    alpha += (1.0 - alpha) * alpha * 1.2 * pow(1.0 - facing, 2.0);
+    alpha += (1.0 - alpha) * alpha * 1.2 * edge_on;
     vec3 shown = to_srgb(shoulder(colour));
 #ifdef WIREFRAME
     float nearest = min(edge_distance.x, min(edge_distance.y, edge_distance.z));
@@ -190,16 +191,17 @@ layout(location = 0) in vec3 start;
 layout(location = 1) in vec3 end;
 layout(location = 2) in vec4 start_colour;
 layout(location = 3) in vec4 end_colour;
-uniform mat4 view_projection;
+uniform mat4 view;
+uniform mat4 projection;
 uniform vec2 viewport;
 uniform float width;
-uniform float depth_shift;
+uniform float lift; // towards the eye, in pixels
 noperspective out vec2 place;
 noperspective out float extent;
 out vec4 colour;
 void main() {
-    vec4 a = view_projection * vec4(start, 1.0);
-    vec4 b = view_projection * vec4(end, 1.0);
+    vec4 a = projection * (view * vec4(start, 1.0));
+    vec4 b = projection * (view * vec4(end, 1.0));
     vec4 colour_a = start_colour, colour_b = end_colour;
     float near_a = a.z + a.w, near_b = b.z + b.w;
     if (near_a < 0.0 && near_b < 0.0) {
@@ -231,7 +233,11 @@ void main() {
     place = vec2(at_end ? size + reach : -reach, side * reach);
     extent = size;
     colour = at_end ? colour_b : colour_a;
-    gl_Position = vec4(base.xy + offset * 2.0 / viewport * base.w, base.z - depth_shift * base.w, base.w);
+    // Depth of the place `lift` pixels nearer: a pixel spans 2 w / (P11 height) units at clip w (w is 1 when
+    // orthographic). z and w are linear in the distance along the view axis, with slopes P22 and P23 (row, column 2).
+    float nearer = min(lift * 2.0 * base.w / (projection[1][1] * viewport.y), 0.5 * base.w);
+    float lifted = (base.z + projection[2][2] * nearer) / (base.w + projection[2][3] * nearer);
+    gl_Position = vec4(base.xy + offset * 2.0 / viewport * base.w, max(lifted, -1.0) * base.w, base.w);
 }
 )";
 

@@ -204,6 +204,31 @@ TEST_CASE("Lines have the asked width and hide behind surfaces unless on top", "
     }
 }
 
+TEST_CASE("A line on a surface wins over it, one just behind does not", "[render][scene_renderer]") {
+    const OsmesaContext context;
+    SceneRenderer renderer;
+    DrawList list = empty_list();
+    list.surfaces = {rectangle(1, red, 0.5f, 0.5f)};
+    LineItem line;
+    line.width_px = 6.0f;
+    line.colour = black;
+    for (const bool orthographic : {false, true})
+        for (const float far_plane : {20.0f, 20000.0f}) { // the depth range must not matter
+            list.camera = front_camera(1.0f, orthographic);
+            const float near_plane = 0.5f, depth = far_plane - near_plane;
+            list.camera.projection[10] = orthographic ? -2.0f / depth : -(far_plane + near_plane) / depth;
+            list.camera.projection[14] =
+                orthographic ? -(far_plane + near_plane) / depth : -2.0f * far_plane * near_plane / depth;
+            line.points = points({{-1.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}});
+            list.lines = {line};
+            CHECK(dark(pixel(draw(renderer, list, 100, 100), 50, 50)));
+            // A pixel spans 0.022 units here: this is five pixels behind
+            line.points = points({{-1.0f, 0.0f, -0.11f}, {1.0f, 0.0f, -0.11f}});
+            list.lines = {line};
+            CHECK(reddish(pixel(draw(renderer, list, 100, 100), 50, 50)));
+        }
+}
+
 TEST_CASE("A line through the eye is cut at the near plane, and point colours blend",
           "[render][scene_renderer]") {
     const OsmesaContext context;
