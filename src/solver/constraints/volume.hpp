@@ -1,6 +1,6 @@
 #pragma once
 // Volume constraint of a closed surface, C = V - p V0, projected exactly to first order (compliance 0).
-// V = 1/6 sum_t pa . (pb x pc) about a point near the surface; grad_a V = 1/6 sum_t pb x pc, cyclic.
+// V and its gradient: geometry/volume.hpp.
 // Source: Mueller et al. 2007, with the factor 1/6 that eq. 3 of Cervenka & Kohout 2020 leaves out.
 
 #include "fascicle/base/types.hpp"
