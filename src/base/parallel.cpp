@@ -3,11 +3,31 @@
 #include "fascicle/base/assert.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <mutex>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #include <thread>
 
 namespace fascicle {
+
+namespace {
+
+/// TBB allows as many threads as the machine has, and warns on standard error when more are asked for.
+void allow_threads(int threads) {
+    static std::mutex mutex;
+    static int allowed = hardware_threads();
+    static std::unique_ptr<tbb::global_control> control;
+    const std::lock_guard lock(mutex);
+    if (threads <= allowed)
+        return;
+    allowed = threads;
+    control = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                    static_cast<std::size_t>(threads));
+}
+
+} // namespace
 
 void parallel_for(int threads, std::size_t n, std::size_t chunk,
                   const std::function<void(std::size_t begin, std::size_t end)>& body) {
@@ -19,6 +39,7 @@ void parallel_for(int threads, std::size_t n, std::size_t chunk,
             run(c);
         return;
     }
+    allow_threads(threads);
     tbb::task_arena arena(threads);
     arena.execute([&] { tbb::parallel_for(std::size_t{0}, chunks, run); });
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 using namespace fascicle;
 
@@ -24,7 +25,7 @@ TEST_CASE("pose: inverse and composition", "[base][pose]") {
 }
 
 TEST_CASE("pose: a rotation keeps its centre and follows the right-hand rule", "[base][pose]") {
-    const Pose turn = rotation_about(Vec3(1, 2, 3), Vec3(0, 0, 5), 0.5 * EIGEN_PI);
+    const Pose turn = rotation_about(Vec3(1, 2, 3), Vec3(0, 0, 5), std::acos(0.0));
     CHECK((turn.apply(Vec3(1, 2, 3)) - Vec3(1, 2, 3)).norm() < 1e-14);
     CHECK((turn.apply(Vec3(2, 2, 7)) - Vec3(1, 3, 7)).norm() < 1e-14);
 }

@@ -165,7 +165,7 @@ TEST_CASE("dihedral constraint: noise on a sphere is smoothed away", "[solver][d
         return std::sqrt(sum / double(constraints.size()));
     };
     const double before = error();
-    for (int i = 0; i < 30; ++i)
+    for (int i = 0; i < 60; ++i)
         constraints.project(x, std::vector<double>(x.size(), 1.0), reference);
     CHECK(error() < 0.05 * before);
 }

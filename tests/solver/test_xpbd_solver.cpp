@@ -1,3 +1,4 @@
+#include "fascicle/geometry/distance_grid.hpp"
 #include "fascicle/geometry/volume.hpp"
 #include "fascicle/solver/soft_body_solver.hpp"
 #include "support/shapes.hpp"

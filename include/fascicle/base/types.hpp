@@ -3,6 +3,7 @@
 // otherwise.
 
 #include <Eigen/Core>
+#include <Eigen/Geometry> // without it cross() compiles and does not link
 #include <array>
 #include <vector>
 
