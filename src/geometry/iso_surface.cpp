@@ -154,13 +154,12 @@ TriMesh largest_component(const TriMesh& mesh) {
     return part;
 }
 
-TriMesh mesh_implicit(const Implicit& f, const ImplicitMeshOptions& options) {
-    const ImplicitField field(f, options.box, options.threads);
+TriMesh mesh_implicit(const Implicit& f, const ImplicitField& field, const ImplicitMeshOptions& options) {
     const TriMesh rough = largest_component(extract_iso_surface(field));
     if (rough.triangles.empty())
         throw_error("implicit mesh", "the solid has no inside in its box",
                     "a solid larger than the grid spacing");
-    const double step = 0.5 * options.box.spacing;
+    const double step = 0.5 * field.spacing();
     const auto move_onto = [step](const Vec3& p, double value, const Vec3& gradient) {
         const double squared = gradient.squaredNorm();
         if (!(squared > 1e-4))
@@ -174,7 +173,7 @@ TriMesh mesh_implicit(const Implicit& f, const ImplicitMeshOptions& options) {
     remeshing.rounds = options.rounds;
     remeshing.project = [&](const Vec3& p) { return move_onto(p, field(p), field.gradient(p)); };
     TriMesh mesh = remesh(rough, remeshing);
-    const double h = 1e-3 * options.box.spacing;
+    const double h = 1e-3 * field.spacing();
     parallel_for(options.threads, mesh.positions.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v)
             for (int pass = 0; pass < 2; ++pass) {

@@ -48,7 +48,10 @@ TEST_CASE("noise still gives a closed manifold surface, also where the box cuts 
 TEST_CASE("a meshed implicit has the wanted count, good triangles and lies on the surface",
           "[geometry][iso_surface][remesh]") {
     ImplicitMeshOptions options;
-    options.box = {Vec3::Constant(-14), Vec3::Constant(14), 1.0};
+    const auto meshed = [&](const Implicit& f) {
+        return mesh_implicit(
+            f, ImplicitField(f, {Vec3::Constant(-14), Vec3::Constant(14), 1.0}, options.threads), options);
+    };
     options.threads = 2;
     const Vec3 inner(0, 0, 0);
     struct Row {
@@ -65,7 +68,7 @@ TEST_CASE("a meshed implicit has the wanted count, good triangles and lies on th
     for (const Row& row : rows) {
         INFO("wanted volume " << row.volume);
         options.triangles = row.triangles;
-        const TriMesh mesh = mesh_implicit(row.f, options);
+        const TriMesh mesh = meshed(row.f);
         const auto r = test::report(mesh);
         CHECK(mesh.triangle_count() == row.triangles);
         CHECK(r.closed);
@@ -80,10 +83,10 @@ TEST_CASE("a meshed implicit has the wanted count, good triangles and lies on th
             worst = std::max(worst, std::abs(row.f(p)));
         CHECK(worst < 1e-3);
         options.threads = 3 - options.threads;
-        CHECK(mesh_implicit(row.f, options).positions == mesh.positions);
+        CHECK(meshed(row.f).positions == mesh.positions);
     }
     options.triangles = 100;
-    CHECK_THROWS_AS(mesh_implicit(sphere_shape(Vec3(99, 0, 0), 1.0), options), Error);
+    CHECK_THROWS_AS(meshed(sphere_shape(Vec3(99, 0, 0), 1.0)), Error);
 }
 
 TEST_CASE("remeshing a box keeps it closed and reaches few and many triangles", "[geometry][remesh]") {

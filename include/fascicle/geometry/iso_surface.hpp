@@ -18,15 +18,14 @@ TriMesh extract_iso_surface(const ImplicitField& field);
 TriMesh largest_component(const TriMesh& mesh);
 
 struct ImplicitMeshOptions {
-    FieldBox box;
     int triangles = 0; ///< wanted count (see RemeshOptions); > 0
     int rounds = 4;    ///< remeshing rounds
     int threads = 1;
 };
 
-/// Samples f, extracts the surface, keeps its largest part, remeshes to the wanted count and moves every
-/// vertex to the zero surface of f itself. Closed, manifold, outward; even number of triangles. Throws Error
-/// when f has no inside in the box.
-TriMesh mesh_implicit(const Implicit& f, const ImplicitMeshOptions& options);
+/// Extracts the surface of the field, keeps its largest part, remeshes to the wanted count and moves every vertex to
+/// the zero surface of f itself, which the field must be sampled from. Closed, manifold, outward; even number of
+/// triangles. Throws Error when f has no inside in the box.
+TriMesh mesh_implicit(const Implicit& f, const ImplicitField& field, const ImplicitMeshOptions& options);
 
 } // namespace fascicle

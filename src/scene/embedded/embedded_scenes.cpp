@@ -15,6 +15,8 @@ struct Row {
 
 const std::vector<Row>& rows() {
     static const std::vector<Row> table{
+        {{"hip", "right hip with gluteus maximus and iliacus, flexed to 1 rad about the femoral head"},
+         embedded::make_hip},
         {{"squish-box", "box of 5,292 triangles squeezed between two plates to 10 % of the gap and released"},
          embedded::make_squish_box},
         {{"cylinder", "strap over a cylinder on a hinge: length and moment arm known in closed form"},

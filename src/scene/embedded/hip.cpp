@@ -1,0 +1,86 @@
+#include "embedded.hpp"
+#include "hip_shapes.hpp"
+
+#include "fascicle/geometry/iso_surface.hpp"
+
+#include <utility>
+
+namespace fascicle::embedded {
+
+namespace {
+
+/// A bone's mesh with the samples it was made from, which the muscles are carved with.
+struct MadeBone {
+    Bone bone;
+    std::shared_ptr<const ImplicitField> field;
+};
+
+MadeBone make_bone(const char* name, const Implicit& f, const FieldBox& box, int triangles, int threads) {
+    MadeBone made;
+    made.field = std::make_shared<ImplicitField>(f, box, threads);
+    made.bone.name = name;
+    made.bone.mesh = std::make_shared<TriMesh>(mesh_implicit(f, *made.field, {triangles, 3, threads}));
+    return made;
+}
+
+Muscle make_muscle(const char* name, const Implicit& f, const FieldBox& box, int triangles, int threads) {
+    const ImplicitField field(f, box, threads);
+    Muscle muscle;
+    muscle.name = name;
+    muscle.mesh = std::make_shared<TriMesh>(mesh_implicit(f, field, {triangles, 4, threads}));
+    muscle.attach_automatically = false;
+    return muscle;
+}
+
+/// The vertices closer than `distance` to the bone that `where` accepts.
+template <typename Where>
+Attachment attach(AttachmentKind kind, const TriMesh& mesh, int bone, const Implicit& f, double distance,
+                  const Where& where) {
+    Attachment attachment{kind, bone, {}};
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+        const Vec3& p = mesh.positions[static_cast<std::size_t>(v)];
+        if (where(p) && f(p) < distance)
+            attachment.vertices.push_back(v);
+    }
+    return attachment;
+}
+
+} // namespace
+
+/// Millimetres; flexion turns the femur about the centre of its head, the origin, by a negative angle about +x.
+Scene make_hip(int threads) {
+    const ImplicitShape sacrum_solid = sacrum_shape();
+    const MadeBone sacrum = make_bone("sacrum", sacrum_solid.value,
+                                      {Vec3(26, -22, -36), Vec3(154, 102, 134), 2.0}, 8000, threads);
+    const Implicit sacrum_f = [field = sacrum.field](const Vec3& p) { return (*field)(p); };
+    const ImplicitShape iliac_solid = iliac_shape({sacrum_f, sacrum_solid.centre, sacrum_solid.radius});
+    const MadeBone iliac = make_bone("right_iliac", iliac_solid.value,
+                                     {Vec3(-60, -78, -84), Vec3(95, 93, 161), 1.8}, 26000, threads);
+    const MadeBone femur = make_bone("femur", femur_shape().value,
+                                     {Vec3(-77, -32, -414), Vec3(32, 63, 31), 2.0}, 20000, threads);
+    const HipBones bones{[field = iliac.field](const Vec3& p) { return (*field)(p); }, sacrum_f,
+                         [field = femur.field](const Vec3& p) { return (*field)(p); }};
+
+    Scene scene;
+    scene.bones = {iliac.bone, sacrum.bone, femur.bone};
+    scene.timeline = make_hinge_timeline({Vec3::Zero(), Vec3::UnitX()}, -1.0, {100, 100, 100}, 3, {2});
+
+    Muscle gluteus = make_muscle("gluteus_maximus", gluteus_maximus_shape(bones).value,
+                                 {Vec3(-90, 5, -155), Vec3(92, 120, 138), 2.2}, 15000, threads);
+    gluteus.attachments = {
+        attach(AttachmentKind::origin, *gluteus.mesh, 0, bones.iliac, 1.0,
+               [](const Vec3& p) { return p.z() > 40.0; }),
+        attach(AttachmentKind::origin, *gluteus.mesh, 1, bones.sacrum, 1.0, [](const Vec3&) { return true; }),
+        attach(AttachmentKind::insertion, *gluteus.mesh, 2, bones.femur, 1.0,
+               [](const Vec3& p) { return p.z() < -62.0; })};
+    Muscle iliacus = make_muscle("iliacus", iliacus_shape(bones).value,
+                                 {Vec3(-60, -70, -85), Vec3(40, 60, 150), 2.0}, 10000, threads);
+    iliacus.attachments = {attach(AttachmentKind::origin, *iliacus.mesh, 0, bones.iliac, 1.0,
+                                  [](const Vec3& p) { return p.norm() > 57.0; }),
+                           attach(AttachmentKind::insertion, *iliacus.mesh, 2, bones.femur, 1.0,
+                                  [](const Vec3& p) { return (p - lesser_trochanter).norm() < 16.0; })};
+    scene.muscles = {std::move(gluteus), std::move(iliacus)};
+    return scene;
+}
+
+} // namespace fascicle::embedded
