@@ -2,12 +2,24 @@
 
 #include "fascicle/base/assert.hpp"
 #include "fascicle/base/error.hpp"
+#include "fascicle/base/suggest.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
 namespace fascicle {
+
+namespace {
+
+std::vector<std::string> keys(const ParamTable& table) {
+    std::vector<std::string> list;
+    for (const ParamRow& row : table.rows())
+        list.push_back(row.key);
+    return list;
+}
+
+} // namespace
 
 ParamTable::ParamTable(std::vector<ParamRow> rows) : rows_(std::move(rows)) {}
 
@@ -55,8 +67,9 @@ void ParamSet::check(const ParamRow& row, double value, std::string_view shown) 
 void ParamSet::set(std::string_view key, double value) {
     const ParamRow* row = table_->find(key);
     if (row == nullptr)
-        throw_error("parameter '" + std::string(key) + "'", "no such parameter",
-                    "a key of docs/parameters.md", ErrorKind::usage);
+        throw_error("parameter '" + std::string(key) + "'",
+                    "no such parameter" + did_you_mean(key, keys(*table_)), "a key of docs/parameters.md",
+                    ErrorKind::usage);
     check(*row, value, number_text(value));
     const std::size_t i = table_->index(key);
     values_[i] = value;

@@ -10,12 +10,6 @@ namespace fascicle::app {
 
 namespace {
 
-/// CLI11 takes whatever follows an option as its value; `--out --quiet` is a forgotten value.
-void check_value(const std::string& name, const std::string& text, const std::string& type) {
-    if (text.empty() || text.starts_with("--"))
-        throw_error(name, text.empty() ? "got an empty value" : "got '" + text + "'", type, ErrorKind::usage);
-}
-
 CLI::Option* add_one(CLI::App& app, const std::string& name, const std::string& type,
                      const std::string& meaning, const std::function<void(const std::string&)>& read) {
     return app.add_option_function<std::string>(name, read, meaning)->type_name(type);
@@ -29,6 +23,11 @@ std::string join(const std::vector<std::string>& words, const char* between) {
 }
 
 } // namespace
+
+void check_value(const std::string& name, const std::string& text, const std::string& type) {
+    if (text.empty() || text.starts_with("--"))
+        throw_error(name, text.empty() ? "got an empty value" : "got '" + text + "'", type, ErrorKind::usage);
+}
 
 CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& target, const std::string& type,
                       const std::string& meaning) {

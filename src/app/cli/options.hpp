@@ -24,6 +24,9 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, 
 CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& target,
                         const std::vector<std::string>& choices, const std::string& meaning);
 
+/// CLI11 takes whatever follows an option as its value: error (usage) when `text` is empty or an option itself.
+void check_value(const std::string& name, const std::string& text, const std::string& type);
+
 /// Text between separators; "a,,b" has an empty part, "" has one empty part.
 std::vector<std::string> split(const std::string& text, char separator);
 /// Numbers between separators. Error (usage) naming the option unless there are exactly `count` finite ones.

@@ -1,0 +1,82 @@
+// fascicle info MESH...: what a mesh file holds and what is wrong with it.
+
+#include "app/cli/command.hpp"
+#include "fascicle/base/error.hpp"
+#include "fascicle/geometry/bounding_box.hpp"
+#include "fascicle/geometry/volume.hpp"
+#include "fascicle/io/mesh_file.hpp"
+
+#include <CLI/CLI.hpp>
+#include <iomanip>
+#include <iostream>
+
+namespace fascicle::app {
+
+namespace {
+
+std::string text(double value) {
+    char buffer[40];
+    std::snprintf(buffer, sizeof buffer, "%.6g", value);
+    return buffer;
+}
+
+std::string text(const Vec3& p) {
+    return text(p.x()) + " " + text(p.y()) + " " + text(p.z());
+}
+
+void print(const char* label, const std::string& value) {
+    std::cout << "  " << std::left << std::setw(14) << label << value << '\n';
+}
+
+void print_surface(const MeshFile& file) {
+    const TriMesh& mesh = file.mesh;
+    const MeshReport& report = file.report;
+    print("vertices", std::to_string(mesh.vertex_count()));
+    print("triangles", std::to_string(mesh.triangle_count()));
+    print("components", std::to_string(report.components));
+    print("surface", report.closed() ? "closed" : "open");
+    print("area", text(surface_area(mesh.positions, mesh.triangles)) + " square units");
+    print("volume", report.closed() ? text(signed_volume(mesh.positions, mesh.triangles)) + " cubic units"
+                                    : "none, the surface is open");
+}
+
+void print_file(const std::string& path) {
+    const MeshFile file = read_mesh_file(path);
+    BoundingBox box = bounding_box(file.mesh.positions, file.mesh.triangles);
+    for (const Vec3& p : file.lines.points)
+        box.add(p);
+    std::cout << path << '\n';
+    print("format", file.format);
+    if (!file.mesh.triangles.empty())
+        print_surface(file);
+    if (!file.lines.lines.empty())
+        print("polylines", std::to_string(file.lines.lines.size()));
+    if (!box.empty()) {
+        print("box", text(box.min) + " to " + text(box.max));
+        print("size", text(box.size()));
+    }
+    print("hash", file.hash);
+    for (const std::string& note : file.notes)
+        print("note", note);
+    const std::vector<std::string> findings = file.report.lines();
+    for (const std::string& finding : findings)
+        print("defect", finding);
+    if (findings.empty())
+        print("defects", "none");
+}
+
+} // namespace
+
+std::function<int()> add_info(CLI::App& app) {
+    const auto paths = std::make_shared<std::vector<std::string>>();
+    app.add_option("MESH", *paths, "Mesh files: OBJ, legacy VTK, VTP");
+    return [paths] {
+        if (paths->empty())
+            throw_error("info", "no mesh", "info MESH...", ErrorKind::usage);
+        for (const std::string& path : *paths)
+            print_file(path);
+        return 0;
+    };
+}
+
+} // namespace fascicle::app
