@@ -106,7 +106,7 @@ TEST_CASE("a straight round tube is a capsule, an elliptic one has its half axes
     CHECK(flat(Vec3(11, 0, 0)) == Approx(0.0).margin(1e-12));
 }
 
-TEST_CASE("a flat sheet is a plate with its thickness and a round rim; a curved one passes its stations",
+TEST_CASE("a flat sheet is a plate with its thickness and a round rim, and a curved one passes its stations",
           "[geometry][implicit]") {
     const SheetPlane plane{Vec3(0, 0, 5), Vec3::UnitX(), Vec3::UnitY()};
     std::vector<SheetStation> rim;

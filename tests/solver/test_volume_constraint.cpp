@@ -72,7 +72,7 @@ TEST_CASE("volume: a projection leaves rest alone", "[solver][volume]") {
         CHECK((x[i] - mesh.positions[i]).norm() < 1e-14);
 }
 
-TEST_CASE("volume: one projection leaves an error of second order; the published 1/6 would leave 5/6",
+TEST_CASE("volume: one projection leaves an error of second order, the published 1/6 would leave 5/6",
           "[solver][volume]") {
     const TriMesh mesh = test::sphere(1.0, 3);
     const double squash = GENERATE(0.999, 0.99, 0.9);
@@ -112,7 +112,7 @@ TEST_CASE("volume: momentum is kept and fixed points stay", "[solver][volume]") 
     CHECK(constraint.evaluate(x) == Approx(constraint.rest_volume()).epsilon(1e-9));
 }
 
-TEST_CASE("volume: flat, collapsed and inverted bodies stay finite; inverted ones come back out",
+TEST_CASE("volume: flat, collapsed and inverted bodies stay finite, and inverted ones come back out",
           "[solver][volume]") {
     const TriMesh mesh = test::sphere(1.0, 2);
     VolumeConstraint constraint(mesh.positions, mesh.triangles, 1);
