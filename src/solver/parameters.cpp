@@ -171,9 +171,11 @@ ParamSet default_parameters() {
 
 void set_method(ParamSet& parameters, const std::string& method) {
     parameters.set_text("solver.method", method);
-    // Defaults of the published program: bending 0.9, velocity factor 0.99 a millisecond (10.05 1/s).
+    // Defaults of the published program: edges rigid but for the fibres, bending 0.9, velocity factor 0.99 a
+    // millisecond (10.05 1/s).
     if (method == "classic")
-        parameters.set_defaults({{"solver.bending", 0.9}, {"solver.damping", 10.050335853501450}});
+        parameters.set_defaults(
+            {{"solver.stiffness", 1.0}, {"solver.bending", 0.9}, {"solver.damping", 10.050335853501450}});
     else
         parameters.set_defaults({});
 }

@@ -1,4 +1,5 @@
 #include "fascicle/solver/soft_body_solver.hpp"
+#include "solver/classic/classic_solver.hpp"
 #include "solver/xpbd/xpbd_solver.hpp"
 
 #include <algorithm>
@@ -9,6 +10,7 @@ const std::vector<SolverMethod>& solver_methods() {
     static const std::vector<SolverMethod> methods = {
         {"xpbd", "compliant constraints in substeps, contact by distance grids", true,
          solver::make_xpbd_solver},
+        {"classic", "the published program step by step: the yardstick", false, make_classic_solver},
     };
     return methods;
 }
