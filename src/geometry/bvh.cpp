@@ -147,13 +147,13 @@ void TriangleBvh::try_leaf(const Leaf& leaf, int number, const Vec3& p, Nearest&
     }
 }
 
-void TriangleBvh::search(const Vec3& p, Nearest& best) const {
+void TriangleBvh::search(const Vec3& p, double stop, Nearest& best) const {
     if (nodes_.empty())
         return;
     std::array<Pending, stack_size> stack;
     std::size_t depth = 0;
     stack[depth++] = {0.0, 0};
-    while (depth > 0) {
+    while (depth > 0 && best.squared_distance > stop) {
         const Pending top = stack[--depth];
         if (top.squared_distance >= best.squared_distance)
             continue;
@@ -187,13 +187,14 @@ void TriangleBvh::search(const Vec3& p, Nearest& best) const {
     }
 }
 
-double TriangleBvh::closest_squared_distance(const Vec3& p, double max_distance, int& hint) const {
+double TriangleBvh::closest_squared_distance(const Vec3& p, double max_distance, int& hint,
+                                             double good_enough) const {
     Nearest best{max_distance * max_distance, -1};
     if (hint >= 0) {
         const int leaf = slot_of_[static_cast<std::size_t>(hint)] / lanes;
         try_leaf(leaves_[static_cast<std::size_t>(leaf)], leaf, p, best);
     }
-    search(p, best);
+    search(p, good_enough * good_enough, best);
     if (best.slot >= 0)
         hint = triangle_of_[static_cast<std::size_t>(best.slot)];
     return best.squared_distance;

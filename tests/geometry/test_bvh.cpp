@@ -34,6 +34,13 @@ TEST_CASE("the tree finds what brute force finds", "[geometry][bvh]") {
         CHECK(bvh.closest(p, 1.001 * d).triangle >= 0);
         CHECK(bvh.closest(p, 0.999 * d).triangle == -1);
         CHECK(bvh.closest(p, 0.999 * d, 3).triangle == -1);
+        // Any triangle will do within twice the distance.
+        int met = -1;
+        const double enough = bvh.closest_squared_distance(p, 1e9, met, 2.0 * d);
+        CHECK(enough >= exact * (1.0 - 1e-10));
+        CHECK(enough <= 4.0 * exact);
+        CHECK(test::closest_on_triangle(mesh, mesh.triangles[static_cast<std::size_t>(met)], p)
+                  .squared_distance == Approx(enough).epsilon(1e-10));
     }
 }
 

@@ -35,8 +35,10 @@ public:
     SurfacePoint closest(const Vec3& p, double max_distance = std::numeric_limits<double>::infinity(),
                          int hint = -1) const;
     /// closest(...) without the foot: squared distance, and the triangle in `hint` (unchanged when nothing
-    /// lies within reach, and max_distance^2 is returned).
-    double closest_squared_distance(const Vec3& p, double max_distance, int& hint) const;
+    /// lies within reach, and max_distance^2 is returned). good_enough: as soon as a triangle is met within
+    /// that distance the search ends with it, nearest or not.
+    double closest_squared_distance(const Vec3& p, double max_distance, int& hint,
+                                    double good_enough = 0.0) const;
 
     int triangle_count() const { return static_cast<int>(slot_of_.size()); }
     std::size_t bytes() const;
@@ -57,7 +59,7 @@ private:
         double squared_distance;
         int slot; ///< 4 * leaf + lane, or -1
     };
-    void search(const Vec3& p, Nearest& best) const;
+    void search(const Vec3& p, double stop, Nearest& best) const;
     static void try_leaf(const Leaf& leaf, int number, const Vec3& p, Nearest& best);
     void fit_boxes();
 

@@ -21,11 +21,17 @@ struct MetricRow {
 /// The first rows are those of the contract after frame, muscle and angle_deg, in its order.
 const std::vector<MetricRow>& metric_table();
 
+/// Index of a row by key, -1 when there is none.
+int metric_index(std::string_view key);
+
 /// Values of all rows for frames of a recording. Keeps what may be reused between frames (rest quantities,
 /// bounds for the penetration test): any order of frames is right, ascending order is fast. Not thread-safe.
 class MetricsEngine {
 public:
-    /// rest: frame 0 of the recording.
+    /// A recording with at least frame 0 (rest), and with its attachments set.
+    explicit MetricsEngine(const Recording& recording, int threads = 1);
+    /// rest: frame 0 of the recording. The attachments are those of the scene's muscles; for a muscle that
+    /// has none of its own (they are found when a run is prepared) the drift of attachments is NaN.
     MetricsEngine(ScenePtr scene, const Frame& rest, int threads = 1);
     ~MetricsEngine();
     MetricsEngine(const MetricsEngine&) = delete;
@@ -33,6 +39,9 @@ public:
 
     /// One list of values per muscle, in the order of metric_table().
     std::vector<std::vector<double>> measure(const Frame& frame);
+
+    /// The quantities of a muscle in the frame last measured (rest before the first).
+    const MuscleMeasure& muscle(int index) const;
 
 private:
     struct Impl;

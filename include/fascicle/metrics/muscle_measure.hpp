@@ -1,0 +1,69 @@
+#pragma once
+// All quantities of one frame of one muscle. What belongs to the rest pose is computed once.
+
+#include "fascicle/metrics/dihedral_change.hpp"
+#include "fascicle/metrics/edge_extension.hpp"
+#include "fascicle/metrics/penetration.hpp"
+#include "fascicle/metrics/rest_distance.hpp"
+#include "fascicle/scene/recording.hpp"
+
+namespace fascicle {
+
+/// The solids of a scene's bones, in their rest frames: shared by the measures of all muscles.
+std::vector<std::shared_ptr<const SolidQuery>> bone_solids(const Scene& scene);
+
+class MuscleMeasure {
+public:
+    /// rest: frame 0 of the recording. attachments: those in force for this muscle (Recording::attachments),
+    /// or nothing when they are not known: then attachment_drift_mm() is NaN.
+    MuscleMeasure(const Scene& scene, int muscle, const Frame& rest,
+                  std::vector<std::shared_ptr<const SolidQuery>> bones,
+                  std::optional<std::vector<Attachment>> attachments, int threads = 1);
+
+    /// Measures a frame; everything below is then about that frame.
+    void measure(const Frame& frame);
+
+    double millimetres_per_unit() const { return millimetres_per_unit_; }
+    const FrameReport& report() const { return report_; }
+    double volume_ratio() const { return volume_ / rest_volume_; } ///< V / V0, NaN when V0 = 0
+    double volume_cm3() const;
+    double area_cm2() const;
+    const EdgeExtension& edges() const { return edges_; }
+    const DihedralChange& dihedrals() const { return dihedrals_; }
+    const Penetration& penetration() const { return penetration_; }
+    const RestDistance& rest_distance() const { return rest_distance_; } ///< scene units
+    /// Largest distance of an attached vertex from where its bone would carry it rigidly from frame 0. Must
+    /// be 0 up to rounding.
+    double attachment_drift_mm() const { return drift_mm_; }
+
+    /// For colouring, V values each, of the frame last measured: mean extension of the edges at a vertex, and
+    /// depth inside a bone.
+    std::vector<double> edge_extension_at_vertices() const { return edge_measure_.at_vertices(*points_); }
+    const std::vector<double>& depth_mm_at_vertices() const { return penetration_measure_.depths_mm(); }
+
+private:
+    double drift(const Frame& frame) const;
+
+    int muscle_;
+    MeshPtr mesh_;
+    double millimetres_per_unit_;
+    PointsPtr rest_;
+    std::vector<Pose> rest_poses_;
+    std::optional<std::vector<Attachment>> attachments_;
+    double rest_volume_;
+    MeshTopology topology_;
+    EdgeExtensionMeasure edge_measure_;
+    DihedralChangeMeasure dihedral_measure_;
+    RestDistanceMeasure rest_distance_measure_;
+    PenetrationMeasure penetration_measure_;
+
+    PointsPtr points_;
+    FrameReport report_;
+    double volume_ = 0, area_ = 0, drift_mm_ = 0;
+    EdgeExtension edges_;
+    DihedralChange dihedrals_;
+    Penetration penetration_;
+    RestDistance rest_distance_;
+};
+
+} // namespace fascicle
