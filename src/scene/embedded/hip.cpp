@@ -1,6 +1,7 @@
 #include "embedded.hpp"
 #include "hip_shapes.hpp"
 
+#include "fascicle/base/parallel.hpp"
 #include "fascicle/geometry/iso_surface.hpp"
 
 #include <utility>
@@ -49,32 +50,47 @@ Attachment attach(AttachmentKind kind, const TriMesh& mesh, int bone, const Impl
 
 /// Millimetres; flexion turns the femur about the centre of its head, the origin, by a negative angle about +x.
 Scene make_hip(int threads) {
-    const ImplicitShape sacrum_solid = sacrum_shape();
-    const MadeBone sacrum = make_bone("sacrum", sacrum_solid.value,
-                                      {Vec3(26, -22, -36), Vec3(154, 102, 134), 2.0}, 8000, threads);
-    const Implicit sacrum_f = [field = sacrum.field](const Vec3& p) { return (*field)(p); };
-    const ImplicitShape iliac_solid = iliac_shape({sacrum_f, sacrum_solid.centre, sacrum_solid.radius});
-    const MadeBone iliac = make_bone("right_iliac", iliac_solid.value,
-                                     {Vec3(-60, -78, -84), Vec3(95, 93, 161), 1.8}, 26000, threads);
-    const MadeBone femur = make_bone("femur", femur_shape().value,
-                                     {Vec3(-77, -32, -414), Vec3(32, 63, 31), 2.0}, 20000, threads);
-    const HipBones bones{[field = iliac.field](const Vec3& p) { return (*field)(p); }, sacrum_f,
-                         [field = femur.field](const Vec3& p) { return (*field)(p); }};
+    // Two jobs at a time: the femur needs nothing, the hip bone needs the sacrum, the muscles need all bones.
+    MadeBone sacrum, iliac, femur;
+    const auto look_up = [](const MadeBone& made) {
+        return [field = made.field](const Vec3& p) { return (*field)(p); };
+    };
+    parallel_for(threads, 2, 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t job = begin; job < end; ++job)
+            if (job == 0) {
+                femur = make_bone("femur", femur_shape().value, {Vec3(-77, -32, -414), Vec3(32, 63, 31), 2.1},
+                                  20000, threads);
+            } else {
+                const ImplicitShape solid = sacrum_shape();
+                sacrum = make_bone("sacrum", solid.value, {Vec3(26, -22, -36), Vec3(154, 102, 134), 2.0},
+                                   8000, threads);
+                iliac =
+                    make_bone("right_iliac", iliac_shape({look_up(sacrum), solid.centre, solid.radius}).value,
+                              {Vec3(-60, -78, -84), Vec3(95, 93, 161), 1.9}, 26000, threads);
+            }
+    });
+    const HipBones bones{look_up(iliac), look_up(sacrum), look_up(femur)};
 
     Scene scene;
     scene.bones = {iliac.bone, sacrum.bone, femur.bone};
     scene.timeline = make_hinge_timeline({Vec3::Zero(), Vec3::UnitX()}, -1.0, {100, 100, 100}, 3, {2});
 
-    Muscle gluteus = make_muscle("gluteus_maximus", gluteus_maximus_shape(bones).value,
-                                 {Vec3(-90, 5, -155), Vec3(92, 120, 138), 2.2}, 15000, threads);
+    Muscle gluteus, iliacus;
+    parallel_for(threads, 2, 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t job = begin; job < end; ++job)
+            if (job == 0)
+                gluteus = make_muscle("gluteus_maximus", gluteus_maximus_shape(bones).value,
+                                      {Vec3(-90, 5, -155), Vec3(92, 120, 138), 2.4}, 15000, threads);
+            else
+                iliacus = make_muscle("iliacus", iliacus_shape(bones).value,
+                                      {Vec3(-60, -70, -85), Vec3(40, 60, 150), 2.0}, 10000, threads);
+    });
     gluteus.attachments = {
         attach(AttachmentKind::origin, *gluteus.mesh, 0, bones.iliac, 1.0,
                [](const Vec3& p) { return p.z() > 40.0; }),
         attach(AttachmentKind::origin, *gluteus.mesh, 1, bones.sacrum, 1.0, [](const Vec3&) { return true; }),
         attach(AttachmentKind::insertion, *gluteus.mesh, 2, bones.femur, 1.0,
                [](const Vec3& p) { return p.z() < -62.0; })};
-    Muscle iliacus = make_muscle("iliacus", iliacus_shape(bones).value,
-                                 {Vec3(-60, -70, -85), Vec3(40, 60, 150), 2.0}, 10000, threads);
     iliacus.attachments = {attach(AttachmentKind::origin, *iliacus.mesh, 0, bones.iliac, 1.0,
                                   [](const Vec3& p) { return p.norm() > 57.0; }),
                            attach(AttachmentKind::insertion, *iliacus.mesh, 2, bones.femur, 1.0,

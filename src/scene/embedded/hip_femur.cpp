@@ -50,7 +50,8 @@ ImplicitShape femur_shape() {
               7.0);
     bone->add(sphere_shape(Vec3::Zero(), head_radius), 3.0);
     // Greater trochanter: a four-sided crest whose tip leans back and in over the trochanteric fossa.
-    bone->add(tube_shape({{Vec3(-46, 12, -98), 10, 5, front},
+    bone->add(tube_shape({{Vec3(-40, 9, -150), 6, 4, front},
+                          {Vec3(-45, 12, -105), 10, 5, front},
                           {Vec3(-50, 12, -72), 14, 8, front},
                           {Vec3(-56, 12, -44), 18, 10.5, front},
                           {Vec3(-58, 14, -26), 18, 10, front},

@@ -105,7 +105,7 @@ ImplicitShape iliac_shape(const ImplicitShape& sacrum) {
               9.0);
     const Vec3 notch_wish(0.45, -0.35, -0.8);
     const Vec3 notch = (notch_wish - notch_wish.dot(opening) * opening).normalized();
-    bone->add(ring_shape(-1.0 * opening, opening, -notch, 2.55, 29.0, 4.6), 5.0);
+    bone->add(ring_shape(-1.0 * opening, opening, -notch, 2.4, 29.0, 4.6), 7.0);
     // Ischium: behind the socket down to the tuberosity.
     bone->add(tube_shape({{Vec3(20, 22, 32), 9, 8, Vec3(0, 1, 0.2)},
                           {Vec3(20, 28, 12), 12, 9, Vec3(0, 1, 0)},
@@ -131,7 +131,7 @@ ImplicitShape iliac_shape(const ImplicitShape& sacrum) {
     const ImplicitShape fossa =
         round_cone_shape(-20.0 * opening + 4.0 * notch, -11.0 * opening + 17.0 * notch, 7, 7);
     const ImplicitShape gap =
-        round_cone_shape(29.0 * notch + 2.0 * opening, 42.0 * notch + 9.0 * opening, 6, 8);
+        round_cone_shape(29.0 * notch + 2.0 * opening, 42.0 * notch + 10.0 * opening, 5, 8);
     const auto value = [=](const Vec3& p) {
         double f = (*bone)(p);
         if (const double r = p.norm(); r < 60.0) {

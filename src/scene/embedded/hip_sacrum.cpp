@@ -15,7 +15,7 @@ struct Segment {
     double foramen; // distance of the foramina from the midline
 };
 /// Five fused vertebrae and the tail bone, on a curve that is hollow in front.
-constexpr Segment segments[] = {{16, 103, 50, 17, 21}, {38, 84, 46, 14, 19}, {60, 62, 40, 11, 17},
+constexpr Segment segments[] = {{16, 100, 44, 15, 21}, {38, 84, 46, 14, 19}, {60, 62, 40, 11, 17},
                                 {77, 38, 31, 8.5, 15}, {85, 14, 23, 7, 0},   {82, -8, 10, 5.5, 0},
                                 {72, -24, 6, 4.5, 0}};
 
@@ -32,11 +32,11 @@ ImplicitShape sacrum_shape() {
     // First vertebral body with its promontory, and its end plate on top.
     Mat3 axes;
     axes << Vec3::UnitX(), up.cross(Vec3::UnitX()), up;
-    bone->add(ellipsoid_shape(Vec3(midline_x, 9, 104), Vec3(28, 18, 20), axes), 10.0);
+    bone->add(ellipsoid_shape(Vec3(midline_x, 9, 104), Vec3(28, 18, 22), axes), 8.0);
     for (const double side : {-1.0, 1.0}) {
         // Wings: thick in front at the sacro-iliac joint.
-        bone->add(ellipsoid_shape(Vec3(midline_x + side * 35, 25, 94), Vec3(20, 16, 17)), 16.0);
-        bone->add(ellipsoid_shape(Vec3(midline_x + side * 37, 39, 83), Vec3(18, 17, 26)), 18.0);
+        bone->add(ellipsoid_shape(Vec3(midline_x + side * 34, 27, 91), Vec3(21, 15, 15)), 14.0);
+        bone->add(ellipsoid_shape(Vec3(midline_x + side * 38, 40, 81), Vec3(16, 15, 25)), 16.0);
         // Upper articular processes.
         bone->add(round_cone_shape(Vec3(midline_x + side * 19, 40, 104), Vec3(midline_x + side * 22, 38, 116),
                                    9, 6),
