@@ -15,7 +15,7 @@ double push_once(Vec3& p, std::span<const DistanceGrid* const> grids, double off
         if (depth <= 0.0)
             continue;
         worst = std::max(worst, depth);
-        if (const double squared = sample.gradient.squaredNorm(); squared > 1e-6)
+        if (const double squared = sample.gradient.squaredNorm(); squared > 0.09) // else no direction to trust
             p += depth / squared * sample.gradient;
     }
     return worst;

@@ -5,9 +5,9 @@
 
 namespace fascicle::solver {
 
-/// Substep at which a stiffness k is read: one Gauss-Seidel projection with this substep removes the share k
+/// Substep at which a stiffness k is read, that of the published program: one Gauss-Seidel projection with this substep removes the share k
 /// of the error.
-inline constexpr double reference_substep_s = 1.0 / 600.0;
+inline constexpr double reference_substep_s = 1e-3;
 
 /// alpha = h^2 W (1 - k) / k with h the reference substep and W = sum_i w_i |grad_i C|^2 at rest (methods
 /// notes 1.2, exact for one projection: the share removed is W / (W + alpha / h^2) = k). k >= 1 gives 0

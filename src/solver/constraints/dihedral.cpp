@@ -55,16 +55,16 @@ std::size_t DihedralConstraints::project(Points& x, const std::vector<double>& i
             continue;
         }
         double weight = 0;
-        for (std::size_t k = 0; k < 4; ++k)
-            weight += inverse_mass[static_cast<std::size_t>(c.p[k])] * angle->gradient[k].squaredNorm();
+        for (std::size_t j = 0; j < 4; ++j)
+            weight += inverse_mass[static_cast<std::size_t>(c.p[j])] * angle->gradient[j].squaredNorm();
         if (weight == 0.0)
             continue;
         const double error =
             std::clamp(wrap_angle(angle->angle_rad - c.rest_rad), -max_correction_rad, max_correction_rad);
         const double multiplier = -error / (weight + c.compliance * per_h2);
-        for (std::size_t k = 0; k < 4; ++k) {
-            const auto i = static_cast<std::size_t>(c.p[k]);
-            x[i] += inverse_mass[i] * multiplier * angle->gradient[k];
+        for (std::size_t j = 0; j < 4; ++j) {
+            const auto i = static_cast<std::size_t>(c.p[j]);
+            x[i] += inverse_mass[i] * multiplier * angle->gradient[j];
         }
     }
     return skipped;

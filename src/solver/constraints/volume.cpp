@@ -2,6 +2,9 @@
 
 #include "fascicle/geometry/volume.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace fascicle::solver {
 
 VolumeConstraint::VolumeConstraint(const Points& rest, std::vector<Tri> triangles, double pressure)
@@ -15,8 +18,16 @@ double VolumeConstraint::evaluate(const Points& x) {
     return signed_volume(x, triangles_);
 }
 
-void VolumeConstraint::project(Points& x, const std::vector<double>& inverse_mass) {
-    const double error = evaluate(x) - wanted_;
+void VolumeConstraint::project(Points& x, const std::vector<double>& inverse_mass, const Points& blocked) {
+    const double limit = max_step * std::abs(rest_volume_);
+    const double error = std::clamp(evaluate(x) - wanted_, -limit, limit);
+    if (!blocked.empty())
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            // The correction goes along -error * gradient; against the normal when that product is negative.
+            const double along = gradient_[i].dot(blocked[i]);
+            if (-error * along < 0.0)
+                gradient_[i] -= along * blocked[i];
+        }
     double weight = 0;
     for (std::size_t i = 0; i < x.size(); ++i)
         weight += inverse_mass[i] * gradient_[i].squaredNorm();

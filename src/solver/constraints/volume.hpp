@@ -17,8 +17,13 @@ public:
     double evaluate(const Points& x);
     const Points& gradient() const { return gradient_; }
 
-    /// x += -w grad C C / sum w |grad C|^2. Does nothing when no free point has a gradient.
-    void project(Points& x, const std::vector<double>& inverse_mass);
+    /// x += -w g C / sum w |g|^2, g = grad C. Does nothing when no free point has a gradient.
+    /// blocked: V unit normals of contacts that were active, zero elsewhere, or empty. Where the correction would push a
+    /// point against its normal, g loses that component: the plate would only undo it, and the points that are free to
+    /// move must make up for it. One call changes the volume by at most max_step of the rest volume.
+    void project(Points& x, const std::vector<double>& inverse_mass, const Points& blocked = {});
+
+    static constexpr double max_step = 0.1;
 
 private:
     std::vector<Tri> triangles_;

@@ -7,6 +7,9 @@ namespace fascicle::solver {
 
 namespace {
 
+/// Below this length the gradient of a distance (1 where it is exact) says nothing about the way out.
+constexpr double min_gradient = 0.3;
+
 /// Slip of x along the surface of a solid since the start of the substep.
 Vec3 tangential_slip(const Vec3& x, const Vec3& before, const ContactSolid& solid, const Vec3& normal) {
     const Vec3 carried = solid.now.apply(solid.before.apply_inverse(before));
@@ -27,18 +30,24 @@ ContactResult resolve_contact(Vec3& x, const Vec3& before, std::span<const Conta
             const double depth = settings.offset - sample.value;
             if (depth <= 0.0)
                 continue;
-            const double squared_norm = sample.gradient.squaredNorm();
-            if (squared_norm < 1e-6) { // a ridge of the field, or saturated: no direction
-                result.outside = result.outside && sample.value > 0.5 * settings.offset;
+            const double norm = sample.gradient.norm();
+            if (norm < min_gradient) {
+                // Deep inside, or on a ridge of the field: no direction to trust. The point was outside at the start of
+                // the substep, so where the solid would have carried it from there is outside of this solid.
+                x = solid.now.apply(solid.before.apply_inverse(before));
+                moved = true;
+                result.outside =
+                    result.outside && solid.grid->value(solid.before.apply_inverse(before)) > 0.0;
                 continue;
             }
-            const Vec3 gradient = solid.now.rotation * sample.gradient;
-            x += depth / squared_norm * gradient;
+            const Vec3 normal = solid.now.rotation * sample.gradient / norm;
+            x += depth / norm * normal;
+            result.normal = normal;
             moved = true;
             result.outside = result.outside && depth < 0.5 * settings.offset;
             if (settings.friction > 0.0 && pass == 0) {
-                const double normal_correction = depth / std::sqrt(squared_norm);
-                const Vec3 slip = tangential_slip(x, before, solid, gradient / std::sqrt(squared_norm));
+                const double normal_correction = depth / norm;
+                const Vec3 slip = tangential_slip(x, before, solid, normal);
                 const double length = slip.norm();
                 if (length > 0.0)
                     x -= std::min(1.0, settings.friction * normal_correction / length) * slip;

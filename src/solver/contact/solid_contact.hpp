@@ -27,6 +27,7 @@ struct ContactSettings {
 
 struct ContactResult {
     bool touched = false;
+    Vec3 normal = Vec3::Zero(); ///< of the last solid that pushed, unit; zero when none did
     bool outside = true; ///< false when the passes ended with the point still nearer than half the offset
 };
 

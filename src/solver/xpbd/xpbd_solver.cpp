@@ -46,6 +46,7 @@ private:
     std::vector<double> inverse_mass_;
     std::vector<ContactSolid> solids_;
     std::vector<ContactResult> touched_;
+    Points contact_normals_; ///< of the last substep's contacts, zero where there was none
     StepReport report_;
 };
 
@@ -58,8 +59,8 @@ DistanceConstraints make_edges(const SoftBodyProblem& problem, const MeshTopolog
         const double softness = problem.edge_softness.empty() ? 1.0 : problem.edge_softness[e];
         const double length =
             (rest[static_cast<std::size_t>(edge.a)] - rest[static_cast<std::size_t>(edge.b)]).norm();
-        // W = 2 for two free points of unit mass.
-        constraints.add({edge.a, edge.b, length, compliance_from_stiffness(stiffness * softness, 2.0)});
+        // W = 2 for two free points of unit mass. The spring constant 1 / alpha is what k multiplies.
+        constraints.add({edge.a, edge.b, length, compliance_from_stiffness(stiffness, 2.0) / softness});
     }
     return constraints;
 }
@@ -113,7 +114,7 @@ void XpbdSolver::substep(std::span<const Pose> from, std::span<const Pose> to, d
     stage("edges");
     dihedrals_.project(x_, inverse_mass_, h);
     stage("dihedrals");
-    volume_.project(x_, inverse_mass_);
+    volume_.project(x_, inverse_mass_, contact_normals_);
     stage("volume");
     resolve_contacts(); // last, so that no other constraint pushes a vertex back in
     stage("contact");
@@ -149,10 +150,13 @@ void XpbdSolver::predict(double h) {
 void XpbdSolver::resolve_contacts() {
     if (solids_.empty())
         return;
+    contact_normals_.resize(x_.size(), Vec3::Zero());
     parallel_for(problem_.threads, x_.size(), 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            if (inverse_mass_[i] != 0.0)
+            if (inverse_mass_[i] != 0.0) {
                 touched_[i] = resolve_contact(x_[i], before_[i], solids_, contact_);
+                contact_normals_[i] = touched_[i].normal;
+            }
     });
     for (const ContactResult& result : touched_) {
         report_.contacts += result.touched ? 1 : 0;
