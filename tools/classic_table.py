@@ -123,8 +123,8 @@ def main():
         title, fixed, reference = CASES[case]
         runs = {method: simulate(case, method, args, pelvis) for method in args.methods.split(",")}
         seen = ", ".join(f"{method} {fixed_text(summary)}" for method, (_, summary) in runs.items())
-        print(f"\n**{title}**: fixed or attached vertices: program {fixed}, {seen}; solving, s: "
-              + ", ".join(f"{method} {summary['solve_seconds']:.1f}" for method, (_, summary) in runs.items()) + "\n")
+        print(f"\n**{title}** (fixed or attached vertices: program {fixed}, {seen}; seconds of solving: "
+              + ", ".join(f"{method} {summary['solve_seconds']:.1f}" for method, (_, summary) in runs.items()) + ")\n")
         print("| source | frame | V/V0 | mean edge | p99 edge | dihedral change, deg | displacement | inside bone |")
         print("| --- | --- | --- | --- | --- | --- | --- | --- |")
         for frame, values in zip(FRAMES, reference):
