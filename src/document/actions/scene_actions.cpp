@@ -1,5 +1,7 @@
 #include "fascicle/document/actions/scene_actions.hpp"
 
+#include "document/actions/hinge_track.hpp"
+
 #include <algorithm>
 
 namespace fascicle::actions {
@@ -32,11 +34,13 @@ void erase_at(std::vector<T>& list, int index) {
 
 } // namespace
 
-int add_bone(Document& document, Bone bone) {
+int add_bone(Document& document, Bone bone, bool moving) {
     FASCICLE_ASSERT(bone.mesh != nullptr);
     Scene& scene = document.edit();
     bone.name = unique_name(scene, bone.name, "bone");
     scene.bones.push_back(std::move(bone));
+    if (moving)
+        give_hinge_track(scene, scene.bones.size() - 1);
     document.commit("Add bone " + document.scene().bones.back().name);
     return static_cast<int>(document.scene().bones.size()) - 1;
 }

@@ -1,5 +1,6 @@
 #include "fascicle/document/actions/timeline_actions.hpp"
 
+#include "document/actions/hinge_track.hpp"
 #include "fascicle/base/error.hpp"
 
 namespace fascicle::actions {
@@ -14,6 +15,24 @@ void set_hinge(Document& document, const Hinge& hinge, double angle_rad, const P
     Timeline timeline = make_hinge_timeline(hinge, angle_rad, phases, bones, moving);
     document.edit().timeline = std::move(timeline);
     document.commit("Set motion");
+}
+
+bool set_bone_moving(Document& document, int bone, bool moving) {
+    FASCICLE_ASSERT(bone >= 0 && bone < static_cast<int>(document.scene().bones.size()));
+    const Timeline& timeline = document.scene().timeline;
+    if (!timeline.hinge || bone_moves(document.scene(), bone) == moving)
+        return false;
+    Scene& scene = document.edit();
+    const auto index = static_cast<std::size_t>(bone);
+    if (moving)
+        give_hinge_track(scene, index);
+    else
+        scene.timeline.bone_tracks[index] = {};
+    if (bone_moves(scene, bone) != moving) { // a joint that never turns
+        document.discard_edits();
+        return false;
+    }
+    return document.commit((moving ? "Let move " : "Hold still ") + scene.bones[index].name);
 }
 
 bool bone_moves(const Scene& scene, int bone) {

@@ -6,8 +6,8 @@
 namespace fascicle::actions {
 
 /// Appends and returns the index. A name that another bone or muscle has gets a number behind it ("femur 2").
-/// The mesh must not be null.
-int add_bone(Document& document, Bone bone);
+/// The mesh must not be null. A bone that is `moving` turns with the timeline's joint, when there is one.
+int add_bone(Document& document, Bone bone, bool moving = false);
 int add_muscle(Document& document, Muscle muscle);
 
 /// The bone's track and the attachments to it go with it; other indices are adjusted.

@@ -10,6 +10,10 @@ namespace fascicle::actions {
 void set_hinge(Document& document, const Hinge& hinge, double angle_rad, const Phases& phases,
                const std::vector<int>& moving);
 
+/// Lets a bone turn with the timeline's joint, or stay at rest. False, and no step, when nothing changes or the
+/// timeline has no joint.
+bool set_bone_moving(Document& document, int bone, bool moving);
+
 /// Whether the bone has a track that moves it.
 bool bone_moves(const Scene& scene, int bone);
 
