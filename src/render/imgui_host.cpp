@@ -30,6 +30,9 @@ ImguiFonts default_imgui_fonts() {
     return {{"/usr/share/fonts/truetype/roboto/unhinted/RobotoTTF/Roboto-Regular.ttf",
              "/usr/share/fonts/truetype/roboto/hinted/Roboto-Regular.ttf",
              "/usr/share/fonts/TTF/Roboto-Regular.ttf", "/usr/share/fonts/google-roboto/Roboto-Regular.ttf"},
+            {"/usr/share/fonts/truetype/roboto/unhinted/RobotoTTF/Roboto-Medium.ttf",
+             "/usr/share/fonts/truetype/roboto/hinted/Roboto-Medium.ttf",
+             "/usr/share/fonts/TTF/Roboto-Medium.ttf", "/usr/share/fonts/google-roboto/Roboto-Medium.ttf"},
             {"/usr/share/fonts/truetype/font-awesome/fontawesome-webfont.ttf",
              "/usr/share/fonts-font-awesome/fonts/fontawesome-webfont.ttf",
              "/usr/share/fonts/fontawesome/fontawesome-webfont.ttf"},
@@ -98,6 +101,10 @@ void ImguiHost::build_fonts() {
         has_icons_ = atlas.AddFontFromFileTTF(icons.c_str(), std::round(size * 14.0f / 15.0f), &icon_config,
                                               icon_ranges) != nullptr;
     }
+    const fs::path heading = first_existing(fonts_.headings);
+    heading_font_ = text.empty() || heading.empty()
+                        ? atlas.Fonts[0]
+                        : atlas.AddFontFromFileTTF(heading.c_str(), size, &text_config, text_ranges);
     atlas.Build();
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+struct ImFont;
 struct ImGuiContext;
 struct ImGuiStyle;
 
@@ -13,8 +14,9 @@ namespace fascicle::render {
 /// Font files tried in turn; the first that exists is used.
 struct ImguiFonts {
     std::vector<std::filesystem::path> text;
-    std::vector<std::filesystem::path> icons; ///< Font Awesome 4.7, merged in at U+F000 to U+F2E0
-    float size_px = 15.0f;                    ///< at scale 1
+    std::vector<std::filesystem::path> headings; ///< a heavier cut of the same; none: headings look like text
+    std::vector<std::filesystem::path> icons;    ///< Font Awesome 4.7, merged in at U+F000 to U+F2E0
+    float size_px = 15.0f;                       ///< at scale 1
 };
 
 /// Where Linux distributions keep Roboto and Font Awesome.
@@ -36,6 +38,8 @@ public:
     float scale() const { return scale_; }
     bool has_text_font() const { return has_text_font_; }
     bool has_icons() const { return has_icons_; }
+    /// For titles; valid until the next set_scale().
+    ImFont* heading_font() const { return heading_font_; }
 
 private:
     void build_fonts();
@@ -44,6 +48,7 @@ private:
     ImguiFonts fonts_;
     float scale_ = 1.0f;
     bool has_text_font_ = false, has_icons_ = false;
+    ImFont* heading_font_ = nullptr;
     ImGuiContext* context_ = nullptr;
     std::unique_ptr<ImGuiStyle> style_; ///< at scale 1
 };
