@@ -1,1 +1,291 @@
-#include "render/draw_list.hpp"
+#include "editor/editor.hpp"
+
+#include "editor/commands.hpp"
+#include "editor/dialogs/shortcut_sheet.hpp"
+#include "editor/frame_axis.hpp"
+#include "editor/initial_view.hpp"
+#include "editor/playback.hpp"
+#include "editor/widgets/icons.hpp"
+#include "editor/widgets/item_recorder.hpp"
+#include "editor/widgets/paint.hpp"
+#include "fascicle/base/error.hpp"
+#include "fascicle/io/png.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <imgui_internal.h>
+
+namespace fascicle::editor {
+
+Editor::Editor(render::ImguiHost& host, Document document, StartRun start, const EditorOptions& options)
+    : host_(host), document_(std::move(document)), runs_(std::move(start)), still_(options.still) {
+    InputQueue::map_keys(ImGui::GetIO());
+    ImGui::GetIO().ConfigWindowsMoveFromTitleBarOnly = true;
+    set_icons_available(host.has_icons());
+    state_.dark = options.dark;
+    state_.scale = state_.start_scale = host.scale();
+    look_at_muscles(state_.camera, document_.scene());
+    for (const PanelRow& row : panel_registry())
+        panels_[row.id] = row.make();
+    apply_look();
+}
+
+Editor::~Editor() = default;
+
+void Editor::use_gl() {
+    view_ = std::make_unique<SceneView>(still_);
+}
+
+void Editor::show(RecordingPtr recording) {
+    runs_.show(std::move(recording));
+}
+
+void Editor::drop_files(const std::vector<std::filesystem::path>& files) {
+    mesh_dialog_.open_with(files);
+}
+
+EditorContext Editor::context() {
+    const bool live = !still_ && smooth_seconds_ > 0;
+    return {document_,
+            state_,
+            runs_,
+            metrics_,
+            log_,
+            mesh_dialog_,
+            picture_dialog_,
+            view_.get(),
+            state_.dark ? dark_theme() : light_theme(),
+            now_,
+            live ? 1 / smooth_seconds_ : 0.0f};
+}
+
+void Editor::apply_look() {
+    if (!styled_ || styled_dark_ != state_.dark) {
+        host_.set_style(make_style(state_.dark ? dark_theme() : light_theme()));
+        styled_dark_ = state_.dark;
+        styled_ = true;
+    }
+    host_.set_scale(state_.scale);
+    state_.scale = host_.scale();
+}
+
+void Editor::run(Command command) {
+    EditorContext c = context();
+    run_command(c, command);
+}
+
+bool Editor::busy() const {
+    return !input_.empty() || state_.playback.playing || runs_.running() || runs_.outdated() ||
+           mesh_dialog_.is_open() || (view_ != nullptr && view_->refinement_pending()) || metrics_.behind();
+}
+
+void Editor::handle_keys() {
+    const bool modal = ImGui::GetTopMostPopupModal() != nullptr;
+    for (const InputQueue::Press& press : input_.presses()) {
+        if (modal && press.chord.key == key_escape && !ImGui::GetIO().WantTextInput) {
+            mesh_dialog_.close();
+            ImGui::ClosePopupToLevel(0, true);
+            continue;
+        }
+        if (modal || ImGui::GetIO().WantTextInput)
+            continue; // the keys belong to the text
+        const KeyBinding* row = find_binding(press.chord);
+        if (row == nullptr || (press.repeat && !row->repeats))
+            continue;
+        if (row->command == Command::escape && document_.has_uncommitted_edits())
+            ImGui::ClearActiveID(); // the drag ends here, whatever the mouse does
+        run(row->command);
+    }
+}
+
+/// What the run has to say goes to the log.
+void Editor::follow_run() {
+    const RecordingPtr recording = runs_.recording();
+    if (recording != reported_) {
+        reported_ = recording;
+        reported_notes_ = 0;
+        reported_end_ = false;
+    }
+    if (recording == nullptr)
+        return;
+    const std::vector<std::string> notes = recording->notes();
+    for (; reported_notes_ < notes.size(); ++reported_notes_)
+        log_.add(Severity::note, notes[reported_notes_]);
+    if (reported_end_ || recording->state() == RunState::running)
+        return;
+    reported_end_ = true;
+    if (recording->state() == RunState::failed)
+        log_.add(Severity::error, recording->failure());
+    if (recording->state() == RunState::finished && !still_) {
+        double seconds = 0;
+        for (int k = 1; k < recording->frame_count(); ++k)
+            seconds += recording->frame(k)->report.solve_seconds;
+        char text[80];
+        std::snprintf(text, sizeof text, "Run finished: %d frames solved in %.1f s.",
+                      recording->frame_count() - 1, seconds);
+        log_.add(Severity::note, text);
+    }
+}
+
+void Editor::draw_frame(float width, float height, double seconds) {
+    apply_look();
+    now_ += seconds;
+    const auto step = static_cast<float>(std::clamp(seconds, 1e-4, 0.25));
+    smooth_seconds_ = smooth_seconds_ == 0 ? step : smooth_seconds_ * 0.9f + step * 0.1f;
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {std::max(1.0f, width), std::max(1.0f, height)};
+    io.DeltaTime = step;
+    input_.feed(io);
+    if (ItemRecorder* recorder = item_recorder(); recorder != nullptr)
+        recorder->begin_frame();
+    ImGui::NewFrame();
+    handle_keys();
+
+    runs_.update(document_.head(), document_.has_uncommitted_edits(), now_);
+    follow_run();
+    metrics_.follow(runs_.recording());
+    if (const std::string error = metrics_.take_error(); !error.empty())
+        log_.add(Severity::error, error);
+    advance(state_.playback, seconds, frame_seconds(document_.scene()), runs_.available_count(),
+            document_.scene().timeline.last_frame, runs_.running() || runs_.outdated());
+
+    EditorContext c = context();
+    layout_ = compute_layout(io.DisplaySize.x, io.DisplaySize.y, state_.layout, state_.scale);
+    ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, io.DisplaySize, c.theme.gap);
+    drag_borders(layout_, state_.layout, state_.scale);
+    // The hover line of one panel shows in all of them, so it comes from the frame before.
+    state_.hover_frame = std::exchange(state_.next_hover_frame, std::nullopt);
+    const std::pair<Place, const Rect*> places[] = {
+        {Place::menu, &layout_.menu},         {Place::toolbar, &layout_.toolbar},
+        {Place::tree, &layout_.tree},         {Place::inspector, &layout_.inspector},
+        {Place::viewport, &layout_.viewport}, {Place::parameters, &layout_.parameters},
+        {Place::timeline, &layout_.timeline}, {Place::bottom, &layout_.bottom},
+        {Place::status, &layout_.status}};
+    for (const auto& [place, area] : places)
+        if (area->width() >= 1 && area->height() >= 1)
+            draw_place(c, place, *area);
+    mesh_dialog_.draw(c);
+    picture_dialog_.draw(c);
+    draw_shortcut_sheet(c);
+    ImGui::Render();
+    write_picture();
+}
+
+void Editor::draw_place(EditorContext& context, Place place, const Rect& area) {
+    std::vector<const PanelRow*> rows;
+    for (const PanelRow& row : panel_registry())
+        if (row.place == place)
+            rows.push_back(&row);
+    const PanelRow* front = rows.front();
+    for (const PanelRow* row : rows)
+        if (state_.bottom_panel == row->id)
+            front = row;
+
+    const bool bar = place == Place::menu || place == Place::toolbar || place == Place::status;
+    ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                             ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                             ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollWithMouse;
+    if (place == Place::menu)
+        flags |= ImGuiWindowFlags_MenuBar;
+    if (place == Place::viewport)
+        flags |= ImGuiWindowFlags_NoBackground;
+    ImGui::SetNextWindowPos(area.min);
+    ImGui::SetNextWindowSize({area.width(), area.height()});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, bar ? context.theme.bar : context.theme.panel);
+    const std::string name = std::string("place/") + rows.front()->id;
+    if (place == Place::menu) // fills the row
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                            {context.px(9), (area.height() - ImGui::GetFontSize()) / 2});
+    const bool shown = ImGui::Begin(name.c_str(), nullptr, flags);
+    ImGui::PopStyleVar(2);
+    ImGui::PopStyleColor();
+    if (shown) {
+        if (front->title != nullptr) {
+            const Rect strip{area.min, {area.max.x, std::min(area.max.y, area.min.y + context.px(28))}};
+            draw_tabs(context, rows, *front, strip);
+            draw_panel(context, *front, {{area.min.x, strip.max.y}, area.max});
+        } else {
+            panels_[front->id]->draw(context, area);
+        }
+    }
+    ImGui::End();
+    if (place == Place::menu)
+        ImGui::PopStyleVar();
+}
+
+void Editor::draw_panel(EditorContext& context, const PanelRow& row, const Rect& area) {
+    if (area.empty())
+        return;
+    ImGui::SetCursorScreenPos(area.min);
+    const ImVec2 padding = row.padded ? ImVec2{context.px(10), context.px(7)} : ImVec2{0, 0};
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+    ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, 0);
+    const ImGuiWindowFlags flags =
+        ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoNav |
+        (row.scrolls ? 0 : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    const bool shown = ImGui::BeginChild(row.id, {area.width(), area.height()}, false, flags);
+    ImGui::PopStyleVar(2);
+    if (shown)
+        panels_[row.id]->draw(context, area);
+    ImGui::EndChild();
+}
+
+void Editor::draw_tabs(EditorContext& context, const std::vector<const PanelRow*>& rows,
+                       const PanelRow& front, const Rect& strip) {
+    const Theme& theme = context.theme;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(strip.min, strip.max, theme.header);
+    float x = strip.min.x;
+    for (const PanelRow* row : rows) {
+        std::string title = row->title;
+        if (std::string_view(row->id) == "messages" && log_.unseen_errors() > 0)
+            title += " (" + std::to_string(log_.unseen_errors()) + ")";
+        const float width = text_size(title).x + context.px(22);
+        const Rect tab{{x, strip.min.y}, {std::min(x + width, strip.max.x), strip.max.y}};
+        const bool active = row == &front;
+        if (rows.size() > 1) {
+            ImGui::SetCursorScreenPos(tab.min);
+            ImGui::PushID(row->id);
+            if (ImGui::InvisibleButton("tab", {std::max(1.0f, tab.width()), tab.height()}))
+                state_.bottom_panel = row->id;
+            record_item(std::string("tab/") + row->id);
+            if (active)
+                list.AddRectFilled({tab.min.x, tab.max.y - context.px(2)}, tab.max, theme.accent);
+            else if (ImGui::IsItemHovered())
+                list.AddRectFilled(tab.min, tab.max, theme.field);
+            ImGui::PopID();
+        }
+        const bool alarm = title != row->title;
+        ImGui::PushFont(host_.heading_font());
+        draw_text_in(list, {{tab.min.x + context.px(11), tab.min.y}, {tab.max.x, tab.max.y}},
+                     alarm    ? theme.bad
+                     : active ? theme.text
+                              : theme.text_dim,
+                     title);
+        ImGui::PopFont();
+        x = tab.max.x;
+    }
+}
+
+void Editor::write_picture() {
+    const std::optional<std::filesystem::path> wish = std::exchange(state_.wants_picture, std::nullopt);
+    if (!wish)
+        return;
+    std::error_code error;
+    const std::string full = std::filesystem::absolute(*wish, error).string();
+    try {
+        if (view_ == nullptr)
+            throw_error(full, "no picture was written", "a graphics context");
+        const int width = std::max(1, static_cast<int>(layout_.viewport.width()));
+        const int height = std::max(1, static_cast<int>(layout_.viewport.height()));
+        const render::Image image = view_->picture(context(), width, height);
+        write_png(*wish, image.width, image.height, image.rgba.data());
+        log_.add(Severity::note, "Picture written to " + full);
+    } catch (const std::exception& problem) {
+        log_.add(Severity::error, problem.what());
+    }
+}
+
+} // namespace fascicle::editor

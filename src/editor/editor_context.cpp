@@ -1,0 +1,26 @@
+#include "editor/editor_context.hpp"
+
+#include <algorithm>
+
+namespace fascicle::editor {
+
+const char* to_text(Colouring colouring) {
+    switch (colouring) {
+    case Colouring::anatomy:
+        return "Anatomy";
+    case Colouring::strain:
+        return "Edge extension";
+    }
+    return "";
+}
+
+const Scene& EditorContext::shown_scene() const {
+    const ShownFrame frame = shown();
+    return frame.recording == nullptr ? document.scene() : frame.recording->scene();
+}
+
+void EditorContext::move_playhead(int frame) {
+    state.playback.position = std::clamp(frame, 0, last_frame());
+}
+
+} // namespace fascicle::editor

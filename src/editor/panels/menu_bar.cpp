@@ -1,0 +1,110 @@
+#include "editor/panels/panels.hpp"
+
+#include "editor/widgets/item_recorder.hpp"
+#include "editor/widgets/paint.hpp"
+#include "editor/widgets/tool_button.hpp"
+
+#include <initializer_list>
+
+namespace fascicle::editor {
+
+namespace {
+
+using C = Command;
+
+class MenuBar : public Panel {
+public:
+    void draw(EditorContext& context, const Rect& area) override {
+        if (!ImGui::BeginMenuBar())
+            return;
+        menu(context, "File", {C::open_file, C::save_picture, C::save_picture_as}, {C::quit});
+        menu(context, "Edit", {C::undo, C::redo}, {C::remove_selected, C::deselect});
+        view_menu(context);
+        menu(context, "Run", {C::run_again, C::cancel_run},
+             {C::play_pause, C::step_back, C::step_on, C::first_frame, C::last_frame, C::toggle_loop});
+        window_menu(context);
+        draw_title(context, area);
+        ImGui::EndMenuBar();
+    }
+
+private:
+    static void items(EditorContext& context, std::initializer_list<Command> commands) {
+        for (const Command command : commands)
+            menu_item(context, command);
+    }
+
+    static bool begin(const char* title) {
+        const bool open = ImGui::BeginMenu(title);
+        record_item(std::string("menu/") + title);
+        return open;
+    }
+
+    static void menu(EditorContext& context, const char* title, std::initializer_list<Command> first,
+                     std::initializer_list<Command> second) {
+        if (!begin(title))
+            return;
+        items(context, first);
+        ImGui::Separator();
+        items(context, second);
+        ImGui::EndMenu();
+    }
+
+    static void view_menu(EditorContext& context) {
+        if (!begin("View"))
+            return;
+        items(context, {C::frame_selection, C::frame_all});
+        ImGui::Separator();
+        items(context, {C::view_anterior, C::view_posterior, C::view_left, C::view_right, C::view_superior,
+                        C::view_inferior, C::toggle_orthographic});
+        ImGui::Separator();
+        if (ImGui::BeginMenu("Kept cameras")) {
+            items(context, {C::store_camera_1, C::store_camera_2, C::store_camera_3, C::store_camera_4});
+            ImGui::Separator();
+            items(context, {C::recall_camera_1, C::recall_camera_2, C::recall_camera_3, C::recall_camera_4});
+            ImGui::EndMenu();
+        }
+        ImGui::Separator();
+        items(context, {C::hide_selected, C::hide_others, C::show_all});
+        ImGui::Separator();
+        items(context, {C::toggle_attachments, C::toggle_wireframe, C::toggle_rest_ghost,
+                        C::toggle_joint_axis, C::next_colouring});
+        ImGui::EndMenu();
+    }
+
+    static void window_menu(EditorContext& context) {
+        if (!begin("Window"))
+            return;
+        LayoutSizes& sizes = context.state.layout;
+        ImGui::MenuItem("Scene and selection", nullptr, &sizes.show_left);
+        ImGui::MenuItem("Parameters", nullptr, &sizes.show_right);
+        ImGui::MenuItem("Plots and messages", nullptr, &sizes.show_bottom);
+        ImGui::Separator();
+        items(context, {C::toggle_theme, C::larger_interface, C::smaller_interface, C::normal_interface,
+                        C::toggle_full_screen});
+        ImGui::Separator();
+        items(context, {C::show_shortcuts});
+        ImGui::EndMenu();
+    }
+
+    /// The scene's name at the right end, with a mark while it differs from its file.
+    static void draw_title(const EditorContext& context, const Rect& area) {
+        const std::string name = context.document.scene().name + (context.document.dirty() ? " *" : "");
+        const float right = area.max.x - context.px(12),
+                    room = right - ImGui::GetCursorScreenPos().x - context.px(12);
+        const std::string shown = elided(name, room);
+        if (shown.empty())
+            return;
+        ImGui::SetCursorScreenPos({right - text_size(shown).x, ImGui::GetCursorScreenPos().y});
+        ImGui::PushStyleColor(ImGuiCol_Text, context.theme.text_dim);
+        ImGui::TextUnformatted(shown.c_str());
+        ImGui::PopStyleColor();
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Panel> make_menu_bar() {
+    return std::make_unique<MenuBar>();
+}
+
+} // namespace fascicle::editor

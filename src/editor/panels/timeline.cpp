@@ -1,0 +1,123 @@
+#include "editor/panels/panels.hpp"
+
+#include "editor/frame_axis.hpp"
+#include "editor/widgets/item_recorder.hpp"
+#include "editor/widgets/paint.hpp"
+#include "editor/widgets/ruler.hpp"
+#include "editor/widgets/tool_button.hpp"
+
+#include <array>
+#include <cstdio>
+
+namespace fascicle::editor {
+
+namespace {
+
+using C = Command;
+
+class TimelinePanel : public Panel {
+public:
+    void draw(EditorContext& context, const Rect& area) override {
+        const float side = context.px(28), pad = context.px(10);
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {context.px(2), 0});
+        ImGui::SetCursorScreenPos({area.min.x + pad - context.px(4), area.min.y + context.px(5)});
+        transport(context, 28);
+        frame_field(context, side);
+        if (area.width() > context.px(560))
+            options(context, area, side);
+        ImGui::PopStyleVar();
+
+        const float inset = context.px(8); // the first and the last label stay inside
+        const RulerResult ruler =
+            draw_ruler(context, {{area.min.x + pad + inset, area.min.y + context.px(40)},
+                                 {area.max.x - pad - inset, area.max.y - context.px(9)}});
+        if (ruler.moved_to) {
+            context.state.playback.playing = false;
+            context.move_playhead(*ruler.moved_to);
+        }
+        if (ruler.hovered)
+            context.state.next_hover_frame = ruler.hovered;
+    }
+
+private:
+    static void transport(EditorContext& context, float side) {
+        const bool playing = context.state.playback.playing;
+        tool_button(context, "timeline/first", icons::first, C::first_frame, side);
+        ImGui::SameLine();
+        tool_button(context, "timeline/back", icons::back, C::step_back, side);
+        ImGui::SameLine();
+        tool_button(context, "timeline/play", playing ? icons::pause : icons::play, C::play_pause, side);
+        ImGui::SameLine();
+        tool_button(context, "timeline/on", icons::on, C::step_on, side);
+        ImGui::SameLine();
+        tool_button(context, "timeline/last", icons::last, C::last_frame, side);
+        ImGui::SameLine();
+        tool_button(context, "timeline/loop", icons::loop, C::toggle_loop, side);
+        ImGui::SameLine(0, context.px(12));
+    }
+
+    static void frame_field(EditorContext& context, float side) {
+        const float drop = (side - ImGui::GetFrameHeight()) / 2;
+        ImGui::SetCursorPosY(ImGui::GetCursorPosY() + drop);
+        int frame = context.playhead();
+        ImGui::SetNextItemWidth(context.px(58));
+        if (ImGui::DragInt("##frame", &frame, 0.5f, 0, context.last_frame(), "%d",
+                           ImGuiSliderFlags_AlwaysClamp)) {
+            context.state.playback.playing = false;
+            context.move_playhead(frame);
+        }
+        record_item("timeline/frame");
+        item_tooltip("Shown frame\nDrag, or double-click and type.");
+        ImGui::SameLine(0, context.px(6));
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const std::string of = "of " + std::to_string(context.last_frame());
+        draw_text(*ImGui::GetWindowDrawList(), {at.x, at.y + ImGui::GetStyle().FramePadding.y},
+                  context.theme.text_faint, of);
+        ImGui::Dummy({text_size(of).x, side});
+    }
+
+    /// Speed and unit, at the right end.
+    static void options(EditorContext& context, const Rect& area, float side) {
+        const float drop = (side - ImGui::GetFrameHeight()) / 2;
+        const float speed_width = context.px(76), unit_width = context.px(106);
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImGui::GetStyle().ItemInnerSpacing);
+        ImGui::SetCursorScreenPos({area.max.x - context.px(10) - unit_width - speed_width - context.px(6),
+                                   area.min.y + context.px(5) + drop});
+        ImGui::SetNextItemWidth(speed_width);
+        constexpr std::array<double, 6> speeds{0.1, 0.25, 0.5, 1, 2, 4};
+        const auto label = [](double speed) { return number_text(speed) + "x"; };
+        if (ImGui::BeginCombo("##speed", label(context.state.playback.speed).c_str())) {
+            for (const double speed : speeds) {
+                if (ImGui::Selectable(label(speed).c_str(), speed == context.state.playback.speed))
+                    context.state.playback.speed = speed;
+                record_item("timeline/speed/" + label(speed));
+            }
+            ImGui::EndCombo();
+        }
+        record_item("timeline/speed");
+        item_tooltip("Playing speed, times real time");
+        ImGui::SameLine(0, context.px(6));
+        ImGui::SetNextItemWidth(unit_width);
+        if (ImGui::BeginCombo("##unit", axis_label(context.state.ruler))) {
+            for (const RulerUnit unit : {RulerUnit::frame, RulerUnit::seconds, RulerUnit::angle}) {
+                const bool possible =
+                    unit != RulerUnit::angle || context.document.scene().timeline.hinge.has_value();
+                if (possible && ImGui::Selectable(axis_label(unit), unit == context.state.ruler))
+                    context.state.ruler = unit;
+                record_item(std::string("timeline/unit/") + axis_label(unit));
+            }
+            ImGui::EndCombo();
+        }
+        record_item("timeline/unit");
+        item_tooltip("What the ruler and the plots' axes show");
+        ImGui::PopStyleVar();
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Panel> make_timeline() {
+    return std::make_unique<TimelinePanel>();
+}
+
+} // namespace fascicle::editor

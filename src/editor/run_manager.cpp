@@ -1,0 +1,166 @@
+#include "editor/run_manager.hpp"
+
+#include "fascicle/base/assert.hpp"
+
+#include <algorithm>
+
+namespace fascicle::editor {
+
+bool same_bodies(const Scene& a, const Scene& b) {
+    const auto same_mesh = [](const auto& x, const auto& y) { return x.mesh == y.mesh; };
+    return std::equal(a.bones.begin(), a.bones.end(), b.bones.begin(), b.bones.end(), same_mesh) &&
+           std::equal(a.muscles.begin(), a.muscles.end(), b.muscles.begin(), b.muscles.end(), same_mesh);
+}
+
+namespace {
+
+/// Whether a run of one scene is as good as a run of the other: only names differ.
+bool same_problem(const Scene& a, const Scene& b) {
+    const auto same_muscle = [](const Muscle& x, const Muscle& y) {
+        const auto same_attachment = [](const Attachment& p, const Attachment& q) {
+            return p.bone == q.bone && p.kind == q.kind && p.vertices == q.vertices;
+        };
+        const auto same_outline = [](const AttachmentOutline& p, const AttachmentOutline& q) {
+            return p.bone == q.bone && p.kind == q.kind && p.points == q.points;
+        };
+        return x.attach_automatically == y.attach_automatically && x.surface_fibres == y.surface_fibres &&
+               std::equal(x.attachments.begin(), x.attachments.end(), y.attachments.begin(),
+                          y.attachments.end(), same_attachment) &&
+               std::equal(x.outlines.begin(), x.outlines.end(), y.outlines.begin(), y.outlines.end(),
+                          same_outline);
+    };
+    const auto same_key = [](const PoseKey& p, const PoseKey& q) {
+        return p.frame == q.frame && p.pose.rotation == q.pose.rotation &&
+               p.pose.translation == q.pose.translation;
+    };
+    const auto same_track = [&](const BoneTrack& x, const BoneTrack& y) {
+        return std::equal(x.keys.begin(), x.keys.end(), y.keys.begin(), y.keys.end(), same_key);
+    };
+    const auto same_angle = [](const AngleKey& x, const AngleKey& y) {
+        return x.frame == y.frame && x.angle_rad == y.angle_rad;
+    };
+    const Timeline& s = a.timeline;
+    const Timeline& t = b.timeline;
+    return same_bodies(a, b) && a.unit == b.unit && a.parameters == b.parameters &&
+           s.last_frame == t.last_frame &&
+           std::equal(s.angles.begin(), s.angles.end(), t.angles.begin(), t.angles.end(), same_angle) &&
+           std::equal(s.bone_tracks.begin(), s.bone_tracks.end(), t.bone_tracks.begin(), t.bone_tracks.end(),
+                      same_track) &&
+           std::equal(a.muscles.begin(), a.muscles.end(), b.muscles.begin(), b.muscles.end(), same_muscle);
+}
+
+int count(const RecordingPtr& recording) {
+    return recording == nullptr ? 0 : recording->frame_count();
+}
+
+} // namespace
+
+RunManager::RunManager(StartRun start) : start_(std::move(start)) {}
+
+RunManager::~RunManager() {
+    if (run_ != nullptr)
+        run_->cancel(); // all at once, then wait for each
+}
+
+void RunManager::show(RecordingPtr recording) {
+    retire();
+    recording_ = std::move(recording);
+    previous_ = nullptr;
+    head_ = recording_->scene_ptr();
+    outdated_ = stopped_ = false;
+}
+
+void RunManager::retire() {
+    if (run_ == nullptr)
+        return;
+    run_->cancel();
+    retired_.push_back(std::move(run_));
+}
+
+void RunManager::update(const ScenePtr& head, bool held, double now) {
+    now_ = now;
+    std::erase_if(retired_, [](const std::unique_ptr<Run>& run) { return run->done(); });
+    if (head != head_) {
+        head_ = head;
+        changed_ = now;
+        stopped_ = false;
+    }
+    const bool first = recording_ == nullptr;
+    const bool outdated = first || !same_problem(recording_->scene(), *head_);
+    if (outdated && !outdated_)
+        changed_ = now;
+    outdated_ = outdated || held;
+    if (held)
+        changed_ = now;
+    const bool settled = first || now - changed_ >= settle_seconds;
+    // One run at a time: the old one lets go of its threads first.
+    if (outdated && !held && settled && !stopped_ && start_ != nullptr && !head_->muscles.empty()) {
+        if (run_ != nullptr)
+            retire();
+        if (retired_.empty())
+            begin(now);
+    }
+}
+
+void RunManager::begin(double now) {
+    if (recording_ != nullptr) {
+        const bool older_is_longer = previous_ != nullptr && count(previous_) > count(recording_) &&
+                                     same_bodies(previous_->scene(), *head_);
+        if (!older_is_longer)
+            previous_ = recording_;
+    }
+    run_ = start_(head_);
+    recording_ = run_->recording();
+    started_ = now;
+    outdated_ = false;
+}
+
+void RunManager::restart() {
+    if (start_ == nullptr || head_ == nullptr || head_->muscles.empty())
+        return;
+    retire();
+    stopped_ = false;
+    begin(now_);
+}
+
+void RunManager::cancel() {
+    stopped_ = true;
+    if (run_ != nullptr)
+        run_->cancel();
+}
+
+bool RunManager::running() const {
+    return run_ != nullptr && !run_->done();
+}
+
+std::pair<std::string, double> RunManager::progress() const {
+    return run_ == nullptr ? std::pair<std::string, double>{} : run_->progress();
+}
+
+ShownFrame RunManager::at(int k) const {
+    if (k < valid_count())
+        return {recording_->frame(k), recording_, FrameState::valid};
+    for (const RecordingPtr& candidate : {recording_, previous_})
+        if (k < count(candidate) && same_bodies(candidate->scene(), *head_))
+            return {candidate->frame(k), candidate, FrameState::stale};
+    return {};
+}
+
+ShownFrame RunManager::at_or_before(int k) const {
+    const int last = std::min(k, available_count() - 1);
+    return last < 0 ? ShownFrame{} : at(last);
+}
+
+int RunManager::valid_count() const {
+    return outdated_ ? 0 : count(recording_);
+}
+
+int RunManager::available_count() const {
+    int result = valid_count();
+    for (const RecordingPtr& candidate : {recording_, previous_})
+        if (candidate != nullptr && same_bodies(candidate->scene(), *head_))
+            result = std::max(result, count(candidate));
+    return result;
+}
+
+} // namespace fascicle::editor

@@ -1,0 +1,127 @@
+#include "editor/scene_view.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace fascicle::editor {
+
+namespace {
+
+/// A supersampled picture may cost this much while things move.
+constexpr double quick_seconds = 0.012;
+
+double seconds_now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::size_t count_vertices(const std::vector<std::vector<Attachment>>& lists) {
+    std::size_t sum = 0;
+    for (const std::vector<Attachment>& list : lists)
+        for (const Attachment& attachment : list)
+            sum += attachment.vertices.size();
+    return sum;
+}
+
+} // namespace
+
+view::ViewSubject view_subject(const EditorContext& context) {
+    const ShownFrame shown = context.shown();
+    if (shown.frame != nullptr)
+        return view::subject_of(*shown.recording, shown.frame->index);
+    return view::subject_of(context.document.head());
+}
+
+view::ViewOptions view_options(const EditorContext& context, const Scene& scene) {
+    const EditorState& state = context.state;
+    view::ViewOptions options;
+    for (const Bone& bone : scene.bones)
+        options.hidden_bones.push_back(!state.visible(bone.name));
+    for (const Muscle& muscle : scene.muscles)
+        options.hidden_muscles.push_back(!state.visible(muscle.name));
+    options.attachments = state.attachments;
+    options.strain = state.colouring == Colouring::strain;
+    options.wireframe = state.wireframe;
+    options.rest_ghost = state.rest_ghost;
+    options.joint_axis = state.joint_axis;
+    if (state.selection.kind == Selection::Kind::bone)
+        options.selected_bone = scene.bone_index(state.selection.name);
+    if (state.selection.kind == Selection::Kind::muscle)
+        options.selected_muscle = scene.muscle_index(state.selection.name);
+    return options;
+}
+
+SceneView::SceneView(bool best_quality) : best_quality_(best_quality) {}
+
+bool SceneView::same(const Key& a, const Key& b) {
+    return a.scene == b.scene && a.frame == b.frame && a.attachment_count == b.attachment_count &&
+           a.camera.view == b.camera.view && a.camera.projection == b.camera.projection &&
+           a.hidden_bones == b.hidden_bones && a.hidden_muscles == b.hidden_muscles &&
+           a.colouring == b.colouring && a.attachments == b.attachments && a.wireframe == b.wireframe &&
+           a.ghost == b.ghost && a.axis == b.axis && a.dark == b.dark && a.selected_bone == b.selected_bone &&
+           a.selected_muscle == b.selected_muscle && a.width == b.width && a.height == b.height &&
+           a.scale == b.scale;
+}
+
+render::DrawList SceneView::build(const EditorContext& context, const view::ViewSubject& subject,
+                                  double aspect) {
+    const view::ViewOptions options = view_options(context, *subject.scene);
+    render::DrawList list =
+        view::build_draw_list(subject, options, context.state.camera.pose(aspect), cache_);
+    list.background_top = context.theme.view_top;
+    list.background_bottom = context.theme.view_bottom;
+    return list;
+}
+
+unsigned SceneView::texture(const EditorContext& context, int width, int height) {
+    const view::ViewSubject subject = view_subject(context);
+    const view::ViewOptions options = view_options(context, *subject.scene);
+    const double aspect = double(width) / double(height);
+    const EditorState& state = context.state;
+    const Key key{subject.scene,
+                  subject.frame,
+                  count_vertices(subject.attachments),
+                  state.camera.pose(aspect),
+                  options.hidden_bones,
+                  options.hidden_muscles,
+                  state.colouring,
+                  state.attachments,
+                  state.wireframe,
+                  state.rest_ghost,
+                  state.joint_axis,
+                  state.dark,
+                  options.selected_bone,
+                  options.selected_muscle,
+                  width,
+                  height,
+                  state.scale};
+    const bool unchanged = has_picture_ && same(key, key_);
+    if (unchanged && (shows_fine_ || !refinement_pending_))
+        return (shows_fine_ ? fine_ : plain_)->texture();
+
+    // While things move a slow machine gets single samples; as soon as they stop, the fine picture.
+    const bool fine = best_quality_ || unchanged || fine_seconds_ <= quick_seconds;
+    auto& target = fine ? fine_ : plain_;
+    if (target == nullptr || target->width() != width || target->height() != height)
+        target = std::make_unique<render::OffscreenTarget>(width, height, fine ? 2 : 1);
+    const render::DrawList list = build(context, subject, aspect);
+    const double start = seconds_now();
+    renderer_.draw(list, *target, state.scale * static_cast<float>(target->supersampling()));
+    if (fine && has_picture_) // the first one also compiles and uploads
+        fine_seconds_ = std::max(seconds_now() - start, fine_seconds_ * 0.9);
+    key_ = key;
+    has_picture_ = true;
+    shows_fine_ = fine;
+    refinement_pending_ = !fine;
+    ++drawn_;
+    return target->texture();
+}
+
+render::Image SceneView::picture(const EditorContext& context, int width, int height) {
+    const view::ViewSubject subject = view_subject(context);
+    const render::OffscreenTarget target(width, height, 2);
+    const float scale = context.state.scale * 2;
+    renderer_.draw(build(context, subject, double(width) / double(height)), target, scale);
+    return target.read_back();
+}
+
+} // namespace fascicle::editor

@@ -1,0 +1,56 @@
+#pragma once
+// The 3D picture of the viewport: drawn into a texture of the current GL context, and only when something changed.
+
+#include "editor/editor_context.hpp"
+#include "render/offscreen_target.hpp"
+#include "render/scene_renderer.hpp"
+#include "view/build_draw_list.hpp"
+
+namespace fascicle::editor {
+
+/// What the view shows now: scene, frame and options from the editor's state.
+view::ViewSubject view_subject(const EditorContext& context);
+view::ViewOptions view_options(const EditorContext& context, const Scene& scene);
+
+class SceneView {
+public:
+    /// A GL context must be current. best_quality: every picture supersampled, whatever it costs; otherwise only
+    /// when drawing is quick or nothing moves.
+    explicit SceneView(bool best_quality);
+
+    /// GL texture with the picture, rows from the bottom, for the next frame's use. width, height >= 1 pixels.
+    unsigned texture(const EditorContext& context, int width, int height);
+    /// Whether the last picture should be drawn again, better, now that nothing moves.
+    bool refinement_pending() const { return refinement_pending_; }
+    /// A picture of its own, not of the screen's size.
+    render::Image picture(const EditorContext& context, int width, int height);
+    /// Pictures drawn so far, for tests.
+    int drawn() const { return drawn_; }
+
+private:
+    /// All that the picture depends on.
+    struct Key {
+        ScenePtr scene;
+        FramePtr frame;
+        std::size_t attachment_count = 0;
+        render::CameraPose camera;
+        std::vector<bool> hidden_bones, hidden_muscles;
+        Colouring colouring{};
+        bool attachments = false, wireframe = false, ghost = false, axis = false, dark = false;
+        int selected_bone = -1, selected_muscle = -1, width = 0, height = 0;
+        float scale = 1;
+    };
+    static bool same(const Key& a, const Key& b);
+    render::DrawList build(const EditorContext& context, const view::ViewSubject& subject, double aspect);
+
+    render::SceneRenderer renderer_;
+    view::DrawCache cache_;
+    std::unique_ptr<render::OffscreenTarget> plain_, fine_;
+    Key key_;
+    bool best_quality_;
+    bool has_picture_ = false, refinement_pending_ = false, shows_fine_ = false;
+    double fine_seconds_ = 0; ///< what a supersampled picture cost lately
+    int drawn_ = 0;
+};
+
+} // namespace fascicle::editor

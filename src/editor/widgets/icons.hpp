@@ -1,0 +1,53 @@
+#pragma once
+// Font Awesome 4.7 code points in use, as UTF-8. Each with words for when the icon font is missing.
+
+namespace fascicle::editor {
+
+struct Icon {
+    const char* glyph;
+    const char* words;
+};
+
+namespace icons {
+inline constexpr Icon open{"\xEF\x81\xBC", "Open"};      // U+F07C
+inline constexpr Icon camera{"\xEF\x80\xB0", "Picture"}; // U+F030
+inline constexpr Icon undo{"\xEF\x84\x92", "Undo"};      // U+F112
+inline constexpr Icon redo{"\xEF\x81\xA4", "Redo"};      // U+F064
+inline constexpr Icon play{"\xEF\x81\x8B", "Play"};      // U+F04B
+inline constexpr Icon pause{"\xEF\x81\x8C", "Pause"};    // U+F04C
+inline constexpr Icon stop{"\xEF\x81\x8D", "Stop"};      // U+F04D
+inline constexpr Icon first{"\xEF\x81\x88", "|<"};       // U+F048
+inline constexpr Icon last{"\xEF\x81\x91", ">|"};        // U+F051
+inline constexpr Icon back{"\xEF\x81\x93", "<"};         // U+F053
+inline constexpr Icon on{"\xEF\x81\x94", ">"};           // U+F054
+inline constexpr Icon loop{"\xEF\x81\xB9", "Loop"};      // U+F079
+inline constexpr Icon again{"\xEF\x80\xA1", "Run"};      // U+F021
+inline constexpr Icon eye{"\xEF\x81\xAE", "on"};         // U+F06E
+inline constexpr Icon eye_off{"\xEF\x81\xB0", "off"};    // U+F070
+inline constexpr Icon reset{"\xEF\x83\xA2", "reset"};    // U+F0E2
+inline constexpr Icon cube{"\xEF\x86\xB2", "Ortho"};     // U+F1B2
+inline constexpr Icon expand{"\xEF\x82\xB2", "Fit"};     // U+F0B2
+inline constexpr Icon grid{"\xEF\x80\x8A", "Wire"};      // U+F00A
+inline constexpr Icon tag{"\xEF\x84\xBD", "Areas"};      // U+F13D
+inline constexpr Icon warning{"\xEF\x81\xB1", "!"};      // U+F071
+inline constexpr Icon error{"\xEF\x81\xAA", "x"};        // U+F06A
+inline constexpr Icon note{"\xEF\x81\x9A", "i"};         // U+F05A
+inline constexpr Icon ghost{"\xEF\x89\x8D", "Rest"};     // U+F24D
+inline constexpr Icon plus{"\xEF\x81\xA7", "+"};         // U+F067
+inline constexpr Icon close{"\xEF\x80\x8D", "x"};        // U+F00D
+inline constexpr Icon file{"\xEF\x80\x96", ""};          // U+F016
+inline constexpr Icon folder{"\xEF\x81\xBB", ""};        // U+F07B
+inline constexpr Icon up{"\xEF\x81\xA2", "^"};           // U+F062
+inline constexpr Icon trash{"\xEF\x80\x94", "Remove"};   // U+F014
+inline constexpr Icon link{"\xEF\x83\x81", "fixed"};     // U+F0C1
+inline constexpr Icon check{"\xEF\x80\x8C", "ok"};       // U+F00C
+} // namespace icons
+
+/// Whether the icon font is loaded; set once by the editor.
+void set_icons_available(bool available);
+bool icons_available();
+
+/// Glyph or words.
+const char* text(const Icon& icon);
+
+} // namespace fascicle::editor

@@ -1,0 +1,76 @@
+#pragma once
+// Drives the editor like a person would, without a window: moves, clicks, drags and types at widgets found by name.
+
+#include "editor/editor.hpp"
+#include "editor/widgets/item_recorder.hpp"
+
+#include <string>
+
+namespace fascicle::test {
+
+/// A run that the test feeds by hand.
+class HandRun : public editor::Run {
+public:
+    explicit HandRun(ScenePtr scene) : recording_(std::make_shared<Recording>(std::move(scene))) {}
+    RecordingPtr recording() const override { return recording_; }
+    void cancel() override { cancelled = true; }
+    bool done() const override { return cancelled || finished; }
+    std::pair<std::string, double> progress() const override { return {"solve", 0.5}; }
+
+    /// Appends frames until there are `count`: rest shapes, shifted a little a frame; bones where the timeline has them.
+    void compute(int count);
+    void finish();
+
+    bool cancelled = false, finished = false;
+
+private:
+    RecordingPtr recording_;
+};
+
+/// One bone at rest, one that turns by 1 rad over 30 frames and back, one muscle (a sphere) between them.
+Scene small_scene();
+/// A finished recording of small_scene() (or another) with `count` frames.
+RecordingPtr small_recording(int count = 61, const Scene& scene = small_scene());
+
+class Driver {
+public:
+    explicit Driver(Scene scene = small_scene(), float width = 1280, float height = 800, float scale = 1);
+    ~Driver();
+
+    void frame(int count = 1);
+    /// Lets runs start: waits out the settling time.
+    void settle();
+
+    bool has(const std::string& name) const { return recorder_.find(name) != nullptr; }
+    /// Place of a widget; fails the test when it is not on the screen.
+    editor::Rect rect(const std::string& name) const;
+    ImVec2 middle(const std::string& name) const;
+
+    void move_to(ImVec2 point);
+    void press(int button = 0);
+    void release(int button = 0);
+    void click(const std::string& name, int button = 0);
+    void double_click(const std::string& name);
+    /// From one place to another in a few steps.
+    void drag(ImVec2 from, ImVec2 to, int button = 0);
+    void wheel(const std::string& name, float steps);
+    void key(int code, editor::Modifiers modifiers = {});
+    void type(const std::string& text);
+
+    editor::Editor& editor() { return *editor_; }
+    editor::EditorState& state() { return editor_->state(); }
+    Document& document() { return editor_->document(); }
+    /// The newest run; null before the first.
+    HandRun* run() { return run_; }
+    int runs_started() const { return runs_started_; }
+
+private:
+    float width_, height_;
+    render::ImguiHost host_;
+    editor::ItemRecorder recorder_;
+    HandRun* run_ = nullptr;
+    int runs_started_ = 0;
+    std::unique_ptr<editor::Editor> editor_;
+};
+
+} // namespace fascicle::test

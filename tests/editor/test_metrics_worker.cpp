@@ -1,0 +1,45 @@
+#include "editor/driver.hpp"
+#include "editor/metrics_worker.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace fascicle;
+using namespace fascicle::editor;
+
+TEST_CASE("Frames are measured as they come and agree with the engine", "[editor][metrics]") {
+    test::HandRun run(std::make_shared<const Scene>(test::small_scene()));
+    MetricsWorker worker;
+    run.compute(3);
+    worker.follow(run.recording());
+    worker.finish();
+    CHECK(worker.current().frame_count() == 3);
+    CHECK_FALSE(worker.behind());
+    run.compute(8);
+    CHECK(worker.behind());
+    worker.finish();
+    REQUIRE(worker.current().frame_count() == 8);
+    MetricsEngine engine(run.recording()->scene_ptr(), *run.recording()->frame(0));
+    const int row = metric_index("volume_ratio");
+    REQUIRE(row >= 0);
+    for (int k = 0; k < 8; ++k) {
+        const auto expected = engine.measure(*run.recording()->frame(k));
+        CHECK(worker.current().rows[std::size_t(k)][0][std::size_t(row)] == expected[0][std::size_t(row)]);
+    }
+    CHECK(worker.current().rows[7][0][std::size_t(row)] != 1.0);
+    CHECK(metric_index("no such row") == -1);
+}
+
+TEST_CASE("Values of earlier runs stay, newest first, capped", "[editor][metrics]") {
+    MetricsWorker worker;
+    for (int i = 0; i < 8; ++i) {
+        worker.follow(test::small_recording(3 + i));
+        worker.finish();
+    }
+    CHECK(worker.current().frame_count() == 10);
+    REQUIRE(worker.earlier().size() == MetricsWorker::kept_runs);
+    CHECK(worker.earlier().front().frame_count() == 9);
+    worker.follow(nullptr);
+    worker.finish();
+    CHECK(worker.current().frame_count() == 0);
+    CHECK(worker.take_error().empty());
+}
