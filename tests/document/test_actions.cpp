@@ -1,3 +1,4 @@
+#include "fascicle/document/actions/mesh_actions.hpp"
 #include "fascicle/document/actions/parameter_actions.hpp"
 #include "fascicle/document/actions/scene_actions.hpp"
 #include "fascicle/document/actions/timeline_actions.hpp"
@@ -130,4 +131,44 @@ TEST_CASE("A hinge without a direction is refused", "[document][actions]") {
     actions::set_hinge(document, {Vec3::Zero(), Vec3::UnitX()}, 1, {5, 4, 3}, {0});
     CHECK(document.scene().timeline.last_frame == 12);
     CHECK(document.scene().timeline.angle_rad(5) == Approx(1));
+}
+
+TEST_CASE("A bone can be let move with the joint and held still again", "[document][actions]") {
+    Document document = three_bones();
+    CHECK_FALSE(actions::set_bone_moving(document, 0, true)); // no joint yet
+    actions::set_hinge(document, {Vec3(1, 2, 3), Vec3(0, 0, 2)}, 2.5, {10, 20, 5}, {2});
+    const std::size_t before = steps(document);
+    CHECK_FALSE(actions::set_bone_moving(document, 2, true)); // it does already
+    REQUIRE(actions::set_bone_moving(document, 0, true));
+    CHECK(steps(document) == before + 1);
+    const Timeline& timeline = document.scene().timeline;
+    const Vec3 p(5, 1, 0);
+    for (double frame = 0; frame <= 36; frame += 0.5) {
+        INFO(frame);
+        CHECK((timeline.bone_pose(0, frame).apply(p) - timeline.bone_pose(2, frame).apply(p)).norm() < 1e-9);
+    }
+    CHECK((timeline.bone_pose(0, 10).apply(p) - p).norm() > 1);
+    REQUIRE(actions::set_bone_moving(document, 0, false));
+    CHECK_FALSE(actions::bone_moves(document.scene(), 0));
+    CHECK(actions::bone_moves(document.scene(), 2));
+}
+
+TEST_CASE("A mesh becomes a bone or a muscle, in the scene's unit", "[document][actions]") {
+    const std::string closed = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    const std::string open =
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 5\n";
+    Document document = three_bones();
+    const MeshFile file = read_mesh_bytes(closed, "x.obj"), holed = read_mesh_bytes(open, "y.obj");
+    const int muscle = actions::add_mesh(document, actions::MeshRole::muscle, "in/vastus.obj", file, 1000);
+    CHECK(document.scene().muscles[std::size_t(muscle)].name == "vastus");
+    CHECK(document.scene().muscles[std::size_t(muscle)].mesh->positions[1].x() == 1000);
+    CHECK(document.scene().muscles[std::size_t(muscle)].source.path == "in/vastus.obj");
+    const std::size_t before = steps(document);
+    CHECK_THROWS_AS(actions::add_mesh(document, actions::MeshRole::muscle, "in/holed.obj", holed), Error);
+    CHECK(steps(document) == before);
+    CHECK_FALSE(document.has_uncommitted_edits());
+    const int bone = actions::add_mesh(document, actions::MeshRole::bone, "in/holed.obj", holed);
+    CHECK(document.scene().bones[std::size_t(bone)].source.hash == holed.hash);
+    CHECK(actions::guess_unit(file.mesh) == LengthUnit::metre);
+    CHECK_FALSE(actions::guess_unit(TriMesh{}));
 }

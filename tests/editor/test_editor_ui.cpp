@@ -158,7 +158,7 @@ TEST_CASE("A click in a legend hides the curve, another shows it", "[editor][ui]
     CHECK(d.state().hidden_curves.empty());
 }
 
-TEST_CASE("The eye hides and shows; H, Shift+H and Alt+H do so for the selection", "[editor][ui]") {
+TEST_CASE("The eye hides and shows, H and Shift+H and Alt+H do so for the selection", "[editor][ui]") {
     Driver d;
     d.frame(3);
     d.click("tree/turning/eye");
