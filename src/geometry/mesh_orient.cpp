@@ -3,10 +3,12 @@
 #include "fascicle/geometry/bounding_box.hpp"
 #include "fascicle/geometry/mesh_topology.hpp"
 #include "fascicle/geometry/volume.hpp"
+#include "fascicle/geometry/winding_number.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace fascicle::detail {
 namespace {
@@ -118,6 +120,7 @@ struct ClosedPart {
     std::vector<Tri> triangles;
     double volume = 0.0;
     BoundingBox box;
+    std::optional<WindingNumber> winding; ///< made when first asked
     bool flipped = false;
 };
 
@@ -169,7 +172,7 @@ void turn_outwards(TriMesh& mesh, std::vector<ClosedPart>& parts, OrientationCha
     });
     // A bound on the work for files made of thousands of nested shells: beyond it a part counts as not
     // enclosed.
-    std::size_t budget = 20'000'000;
+    int budget = 1'000'000;
     for (std::size_t i = 0; i < order.size(); ++i) {
         ClosedPart& part = parts[order[i]];
         const Tri& t = part.triangles[0];
@@ -177,11 +180,12 @@ void turn_outwards(TriMesh& mesh, std::vector<ClosedPart>& parts, OrientationCha
             (mesh.positions[z(t[0])] + mesh.positions[z(t[1])] + mesh.positions[z(t[2])]) / 3.0;
         const ClosedPart* parent = nullptr;
         for (std::size_t j = i; j-- > 0 && parent == nullptr;) {
-            const ClosedPart& outer = parts[order[j]];
-            if (!outer.box.contains(part.box) || outer.triangles.size() > budget)
+            ClosedPart& outer = parts[order[j]];
+            if (!outer.box.contains(part.box) || budget-- <= 0)
                 continue;
-            budget -= outer.triangles.size();
-            if (std::abs(winding_number(mesh.positions, outer.triangles, probe)) > 0.5)
+            if (!outer.winding)
+                outer.winding.emplace(mesh.positions, outer.triangles);
+            if (std::abs(outer.winding->fast(probe)) > 0.5)
                 parent = &outer;
         }
         part.flipped = parent != nullptr ? parent->flipped : part.volume < 0.0;

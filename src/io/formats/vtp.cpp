@@ -12,28 +12,6 @@
 namespace fascicle::io {
 namespace {
 
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text)
-        switch (c) {
-        case '<':
-            out += "&lt;";
-            break;
-        case '>':
-            out += "&gt;";
-            break;
-        case '&':
-            out += "&amp;";
-            break;
-        case '"':
-            out += "&quot;";
-            break;
-        default:
-            out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-        }
-    return out;
-}
-
 class VtpReader {
 public:
     VtpReader(std::string_view bytes, const std::string& file) : xml_(bytes, file) {}
@@ -282,7 +260,7 @@ void put_named(std::string& out, const std::vector<NamedArray>& arrays, const ch
     out += std::string("<") + element + ">\n";
     for (const NamedArray& a : arrays)
         put_array(out,
-                  "type=\"Float64\" Name=\"" + escaped(a.name) + "\" NumberOfComponents=\"" +
+                  "type=\"Float64\" Name=\"" + xml_escaped(a.name) + "\" NumberOfComponents=\"" +
                       std::to_string(a.components) + "\"",
                   a.values, 12, [](double v) { return number_text(v); });
     out += std::string("</") + element + ">\n";

@@ -4,6 +4,28 @@
 
 namespace fascicle::io {
 
+std::string xml_escaped(std::string_view text) {
+    std::string out;
+    for (const char c : text)
+        switch (c) {
+        case '<':
+            out += "&lt;";
+            break;
+        case '>':
+            out += "&gt;";
+            break;
+        case '&':
+            out += "&amp;";
+            break;
+        case '"':
+            out += "&quot;";
+            break;
+        default:
+            out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+        }
+    return out;
+}
+
 void XmlReader::fail(const std::string& what, const std::string& expected) const {
     TextScanner(bytes_, file_).fail_at(event_start_, what, expected);
 }

@@ -8,6 +8,9 @@
 
 namespace fascicle::io {
 
+/// Text fit to stand in an attribute or between elements; control characters become spaces.
+std::string xml_escaped(std::string_view text);
+
 class XmlReader {
 public:
     enum class Event { start, end, text, finished };

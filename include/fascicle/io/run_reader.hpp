@@ -1,0 +1,45 @@
+#pragma once
+// A folder that RunWriter left (with vtp frames), read back: for drawing it, comparing it, going through it.
+
+#include "fascicle/base/job_control.hpp"
+#include "fascicle/scene/recording.hpp"
+
+#include <filesystem>
+
+namespace fascicle {
+
+/// Whether the path is a folder with a summary.json in it.
+bool is_run_folder(const std::filesystem::path& path);
+
+/// The scene comes from the folder alone: muscles from their rest frames, bones from bones/, attachments from the frames'
+/// arrays, angles and poses from the tables. It has no timeline to run again, and its sources are only named.
+class RunReader {
+public:
+    /// Reads everything but the frames' positions. Error naming the file for what is missing or bad.
+    explicit RunReader(std::filesystem::path folder);
+
+    ScenePtr scene() const { return scene_; }
+    /// Attachments in force, one list per muscle.
+    const std::vector<std::vector<Attachment>>& attachments() const { return attachments_; }
+    /// Numbers of the frames that have files, ascending, beginning with 0.
+    const std::vector<int>& frames() const { return frames_; }
+    /// Error when the frame has no files, with the nearest that has.
+    FramePtr read_frame(int frame) const;
+    /// All frames as a finished recording.
+    RecordingPtr read_recording(const JobControl& control = {}) const;
+
+private:
+    void read_summary();
+    void read_motion();
+    void read_angles();
+    void read_rest();
+
+    std::filesystem::path folder_;
+    ScenePtr scene_;
+    std::vector<std::vector<Attachment>> attachments_;
+    std::vector<int> frames_;
+    std::vector<std::vector<Pose>> poses_; ///< by frame, then bone
+    std::vector<double> angles_;           ///< by frame
+};
+
+} // namespace fascicle

@@ -1,0 +1,60 @@
+#pragma once
+// What `simulate --out DIR` leaves behind. File names, columns and keys are a promise to other programs (docs/cli.md).
+
+#include "fascicle/io/mesh_data.hpp"
+#include "fascicle/scene/recording.hpp"
+
+#include <filesystem>
+#include <memory>
+
+namespace fascicle {
+
+struct RunOutputOptions {
+    bool vtp = false; ///< frames/<muscle>.<frame>.vtp, <muscle>.pvd, bones/<bone>.vtp
+    int every = 1;    ///< write every K-th frame as vtp, the last always; the tables have every frame
+    /// Columns of metrics.csv after frame, muscle and angle_deg: the keys of metric_table().
+    std::vector<std::string> metric_columns;
+    int threads = 1; ///< that the run uses, for the summary
+};
+
+/// Writes frames as they come and tables as they are finished. A file under its final name is always complete: frames
+/// at once, metrics.csv, motion.csv, the .pvd series and summary.json by finish(). Without finish() only whole frames
+/// are left. Errors name the file that could not be written; an input file of the scene is never overwritten.
+class RunWriter {
+public:
+    /// Makes the folder. Error when that fails, or when an output file would be an input of the scene.
+    RunWriter(std::filesystem::path folder, ScenePtr scene, RunOutputOptions options);
+    ~RunWriter();
+    RunWriter(const RunWriter&) = delete;
+    RunWriter& operator=(const RunWriter&) = delete;
+
+    /// The attachments in force, one list per muscle: per-point arrays of the frames. Before the first frame.
+    void set_attachments(std::vector<std::vector<Attachment>> attachments);
+
+    /// Frames in ascending order, beginning with rest. metrics: one list per muscle, in the order of
+    /// metric_columns.
+    /// point_arrays: further per-point arrays for the frame's vtp file, one list per muscle, or empty.
+    void add_frame(FramePtr frame, const std::vector<std::vector<double>>& metrics,
+                   std::vector<std::vector<NamedArray>> point_arrays = {});
+
+    /// Gives the tables their names and writes series and summary. The recording may have ended early: what is done
+    /// counts.
+    void finish(const Recording& recording);
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// Hash of the positions of all muscles of a frame, in order, as in summary.json.
+std::string state_hash(const Frame& frame);
+
+/// Speed of a run: frames a second of solving alone, over the frames after rest; all 0 when there are none.
+struct RunSpeed {
+    double solve_seconds = 0;
+    double fps_median = 0;
+    double fps_mean = 0;
+};
+RunSpeed run_speed(const Recording& recording);
+
+} // namespace fascicle

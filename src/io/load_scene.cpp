@@ -1,0 +1,243 @@
+#include "fascicle/io/load_scene.hpp"
+
+#include "fascicle/base/error.hpp"
+#include "fascicle/base/param_table.hpp"
+#include "fascicle/base/state_hash.hpp"
+#include "fascicle/geometry/bounding_box.hpp"
+#include "fascicle/geometry/fit_sphere.hpp"
+#include "fascicle/io/attachment_file.hpp"
+#include "fascicle/io/files.hpp"
+#include "fascicle/io/mesh_file.hpp"
+#include "fascicle/io/project_file.hpp"
+#include "fascicle/scene/embedded_scenes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace fascicle {
+namespace fs = std::filesystem;
+namespace {
+
+std::string name_of(const fs::path& path) {
+    const std::string name = path.stem().string();
+    if (name.empty())
+        throw_error(path.string(), "the file has no name to call the mesh by", "NAME.EXTENSION");
+    return name;
+}
+
+void say(const fs::path& path, const MeshFile& file, std::vector<std::string>& notes) {
+    for (const auto& lines : {file.report.lines(), file.notes})
+        for (const std::string& line : lines)
+            notes.push_back(path.filename().string() + ": " + line);
+}
+
+[[noreturn]] void fail_usage(const std::string& where, const std::string& what, const std::string& expected) {
+    throw_error(where, what, expected, ErrorKind::usage);
+}
+
+bool wants_meshes(const SceneRequest& r) {
+    return !r.muscles.empty() || !r.bones.empty() || !r.moving_bones.empty();
+}
+
+/// Options that describe a scene of meshes mean nothing beside a scene that is whole.
+void require_no_mesh_options(const SceneRequest& r, const std::string& source) {
+    const std::pair<bool, const char*> given[] = {
+        {r.hinge.has_value(), "--hinge"},          {r.angle_deg.has_value(), "--angle-deg"},
+        {r.phases.has_value(), "--phases"},        {r.unit.has_value(), "--units"},
+        {!r.attachments.empty(), "--attachments"}, {!r.surface_fibres.empty(), "--surface-fibres"}};
+    for (const auto& [is, option] : given)
+        if (is)
+            fail_usage(option, "cannot go with " + source, "it beside --muscle and --bone");
+}
+
+void require_one_source(const SceneRequest& r) {
+    const int sources =
+        (r.embedded.empty() ? 0 : 1) + (r.project.empty() ? 0 : 1) + (wants_meshes(r) ? 1 : 0);
+    if (sources != 1)
+        fail_usage("", sources == 0 ? "no scene is named" : "more than one scene is named",
+                   "one of --scene NAME, --project FILE, or --muscle MESH with --bone MESH");
+    if (!r.embedded.empty())
+        require_no_mesh_options(r, "--scene");
+    if (!r.project.empty())
+        require_no_mesh_options(r, "--project");
+}
+
+void require_unique_names(const Scene& scene) {
+    std::set<std::string> names;
+    const auto check = [&](const std::string& name) {
+        if (!names.insert(name).second)
+            fail_usage(name, "two meshes have this name", "files of different names (without extension)");
+    };
+    for (const Bone& bone : scene.bones)
+        check(bone.name);
+    for (const Muscle& muscle : scene.muscles)
+        check(muscle.name);
+}
+
+Muscle& muscle_named(Scene& scene, const std::string& option, const std::string& name) {
+    const int index = scene.muscle_index(name);
+    if (index < 0) {
+        std::string known;
+        for (const Muscle& muscle : scene.muscles)
+            known += (known.empty() ? "" : ", ") + muscle.name;
+        fail_usage(option, "there is no muscle '" + name + "'",
+                   known.empty() ? "a --muscle" : "one of " + known);
+    }
+    return scene.muscles[static_cast<std::size_t>(index)];
+}
+
+/// Centre of the head of the moving bone that sits best in the bones that stay.
+Vec3 fitted_centre(LoadedScene& loaded, const std::vector<int>& moving) {
+    std::vector<const TriMesh*> fixed;
+    for (int b = 0; b < static_cast<int>(loaded.scene.bones.size()); ++b)
+        if (std::count(moving.begin(), moving.end(), b) == 0)
+            fixed.push_back(loaded.scene.bones[static_cast<std::size_t>(b)].mesh.get());
+    std::optional<JointFit> best;
+    std::string best_name;
+    for (const int b : moving) {
+        const Bone& bone = loaded.scene.bones[static_cast<std::size_t>(b)];
+        if (const auto fit = fit_joint_centre(*bone.mesh, fixed);
+            fit && (!best || fit->clearance < best->clearance)) {
+            best = fit;
+            best_name = bone.name;
+        }
+    }
+    if (!best)
+        fail_usage("--hinge",
+                   "no joint centre can be fitted: no moving bone has a ball near a bone that stays",
+                   "--hinge \"cx,cy,cz;ax,ay,az\"");
+    const Vec3& c = best->head.centre;
+    const auto rounded = [](double x) { return number_text(std::round(x * 1000.0) / 1000.0); };
+    loaded.notes.push_back("joint centre fitted to the head of " + best_name + ": (" + rounded(c.x()) + ", " +
+                           rounded(c.y()) + ", " + rounded(c.z()) + "), radius " +
+                           rounded(best->head.radius) + ' ' + to_text(loaded.scene.unit) + ", rms error " +
+                           rounded(best->rms));
+    return c;
+}
+
+void set_motion(LoadedScene& loaded, const SceneRequest& r) {
+    Scene& scene = loaded.scene;
+    const int fixed = static_cast<int>(r.bones.size());
+    std::vector<int> moving;
+    for (int i = 0; i < static_cast<int>(r.moving_bones.size()); ++i)
+        moving.push_back(fixed + i);
+    const double angle_deg = r.angle_deg.value_or(0.0);
+    if (moving.empty()) {
+        if (angle_deg != 0.0)
+            fail_usage("--angle-deg", "there is no bone to turn", "--moving-bone MESH");
+        if (r.hinge)
+            fail_usage("--hinge", "there is no bone to turn", "--moving-bone MESH");
+    }
+    const HingeRequest wanted = r.hinge.value_or(HingeRequest{});
+    Hinge hinge;
+    hinge.axis = wanted.axis;
+    if (wanted.centre)
+        hinge.centre = *wanted.centre;
+    else if (!moving.empty())
+        hinge.centre = fitted_centre(loaded, moving);
+    scene.timeline =
+        make_hinge_timeline(hinge, angle_deg * std::numbers::pi / 180.0, r.phases.value_or(Phases{}),
+                            static_cast<int>(scene.bones.size()), moving);
+    if (moving.empty())
+        scene.timeline.hinge.reset();
+    else if (angle_deg == 0.0)
+        loaded.notes.push_back("no bone moves: --angle-deg was not given or is 0");
+}
+
+LoadedScene load_meshes(const SceneRequest& r, const JobControl& control) {
+    LoadedScene loaded;
+    Scene& scene = loaded.scene;
+    const double total = static_cast<double>(r.muscles.size() + r.bones.size() + r.moving_bones.size() +
+                                             r.attachments.size() + r.surface_fibres.size());
+    double done = 0;
+    const auto step = [&] { control.checkpoint("read", done++ / total); };
+    for (const auto* list : {&r.bones, &r.moving_bones})
+        for (const fs::path& path : *list) {
+            step();
+            scene.bones.push_back(load_bone(path, loaded.notes));
+        }
+    for (const fs::path& path : r.muscles) {
+        step();
+        scene.muscles.push_back(load_muscle(path, loaded.notes));
+    }
+    require_unique_names(scene);
+    scene.name = scene.muscles.empty() ? scene.bones[0].name : scene.muscles[0].name;
+    scene.unit = r.unit.value_or(guess_unit(scene));
+    if (!r.unit)
+        loaded.notes.push_back(std::string("unit taken to be ") + to_text(scene.unit) +
+                               " from the size of the meshes; --units tells otherwise");
+    for (const auto& [name, path] : r.attachments) {
+        step();
+        load_attachments(muscle_named(scene, "--attachments", name), path, scene.unit);
+    }
+    for (const auto& [name, path] : r.surface_fibres) {
+        step();
+        load_surface_fibres(muscle_named(scene, "--surface-fibres", name), path, loaded.notes);
+    }
+    set_motion(loaded, r);
+    return loaded;
+}
+
+} // namespace
+
+LoadedScene load_scene(const SceneRequest& request, const JobControl& control) {
+    require_one_source(request);
+    if (!request.embedded.empty()) {
+        control.checkpoint("make the scene", 0.0);
+        return {make_embedded_scene(request.embedded, request.threads), {}};
+    }
+    if (!request.project.empty()) {
+        Project project = read_project_file(request.project, request.threads, control);
+        return {std::move(project.scene), std::move(project.notes)};
+    }
+    return load_meshes(request, control);
+}
+
+Bone load_bone(const fs::path& path, std::vector<std::string>& notes) {
+    MeshFile file = read_mesh_file(path);
+    require_bone_surface(file.report, path.string());
+    say(path, file, notes);
+    return {name_of(path), std::make_shared<const TriMesh>(std::move(file.mesh)), {path.string(), file.hash}};
+}
+
+Muscle load_muscle(const fs::path& path, std::vector<std::string>& notes) {
+    MeshFile file = read_mesh_file(path);
+    require_muscle_surface(file.report, path.string());
+    say(path, file, notes);
+    Muscle muscle;
+    muscle.name = name_of(path);
+    muscle.mesh = std::make_shared<const TriMesh>(std::move(file.mesh));
+    muscle.source = {path.string(), file.hash};
+    return muscle;
+}
+
+void load_attachments(Muscle& muscle, const fs::path& path, LengthUnit unit) {
+    const std::string bytes = read_file(path);
+    std::vector<AttachmentOutline> outlines = read_attachments(bytes, path.string(), unit);
+    StateHash hash;
+    hash.add_bytes(bytes.data(), bytes.size());
+    muscle.outlines = std::move(outlines);
+    muscle.outline_files = {{path.string(), hash.hex()}};
+}
+
+void load_surface_fibres(Muscle& muscle, const fs::path& path, std::vector<std::string>& notes) {
+    const MeshFile file = read_mesh_file(path);
+    if (file.lines.lines.empty())
+        throw_error(path.string(), "the file holds no lines", "polylines of superficial fibres");
+    say(path, file, notes);
+    muscle.surface_fibres = std::make_shared<const Polylines>(joined_lines(file.lines));
+    muscle.surface_fibres_source = {path.string(), file.hash};
+}
+
+LengthUnit guess_unit(const Scene& scene) {
+    BoundingBox box;
+    for (const Bone& bone : scene.bones)
+        box.add(bounding_box(bone.mesh->positions, bone.mesh->triangles));
+    for (const Muscle& muscle : scene.muscles)
+        box.add(bounding_box(muscle.mesh->positions, muscle.mesh->triangles));
+    return box.diagonal() < 5.0 ? LengthUnit::metre : LengthUnit::millimetre;
+}
+
+} // namespace fascicle

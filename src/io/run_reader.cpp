@@ -1,0 +1,224 @@
+#include "fascicle/io/run_reader.hpp"
+
+#include "fascicle/base/error.hpp"
+#include "fascicle/io/csv.hpp"
+#include "fascicle/io/files.hpp"
+#include "fascicle/io/mesh_file.hpp"
+#include "io/formats/vtp.hpp"
+#include "io/json_fields.hpp"
+#include "io/run_files.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace fascicle {
+namespace fs = std::filesystem;
+namespace {
+
+/// A vtp file as it stands: not mended, so that vertices and triangles are those that were written.
+MeshData read_vtp_file(const fs::path& path) {
+    return io::read_vtp(read_file(path), path.string());
+}
+
+LengthUnit unit_of(const io::JsonFields& summary) {
+    const std::string text = summary.text("unit", "mm");
+    if (text != "mm" && text != "m")
+        summary.fail("unit", "got '" + text + "'", "mm or m");
+    return text == "m" ? LengthUnit::metre : LengthUnit::millimetre;
+}
+
+int row_frame(const CsvReader& csv, int column) {
+    const double value = csv.number(column);
+    if (value < 0 || value != std::floor(value) || value > 1e7)
+        csv.fail("frame is " + csv.cell(column), "a whole number from 0");
+    return static_cast<int>(value);
+}
+
+} // namespace
+
+bool is_run_folder(const fs::path& path) {
+    std::error_code ignored;
+    return fs::is_regular_file(path / "summary.json", ignored);
+}
+
+RunReader::RunReader(fs::path folder) : folder_(std::move(folder)) {
+    read_summary();
+    read_motion();
+    read_angles();
+    read_rest();
+}
+
+void RunReader::read_summary() {
+    const std::string file = (folder_ / "summary.json").string();
+    const io::Json json = io::parse_json_object(read_file(file), file);
+    const io::JsonFields summary(json, file, "");
+    const auto list = json.find("vtp_frames");
+    if (list == json.end() || !list->is_array() || list->empty())
+        throw_error(folder_.string(), "the run has no frames as files", "a run written with --export vtp");
+    for (const io::Json& frame : *list) {
+        if (!frame.is_number_integer() || frame.get<long long>() < 0 || frame.get<long long>() > 10'000'000)
+            summary.fail("vtp_frames", "not a list of frame numbers", "whole numbers from 0");
+        frames_.push_back(frame.get<int>());
+    }
+    std::sort(frames_.begin(), frames_.end());
+    frames_.erase(std::unique(frames_.begin(), frames_.end()), frames_.end());
+    if (frames_.front() != 0)
+        throw_error(folder_.string(), "the run has no rest frame", "frame 0000");
+    auto scene = std::make_shared<Scene>();
+    scene->name = summary.text("scene", "scene");
+    scene->embedded_name = summary.text("embedded_scene");
+    scene->unit = unit_of(summary);
+    const auto source = [](const io::JsonFields& entry) { return MeshSource{entry.text("path"), {}}; };
+    for (const io::JsonFields& entry : summary.objects("bones")) {
+        Bone bone;
+        bone.name = entry.text("name");
+        bone.source = source(entry);
+        MeshData data = read_vtp_file(folder_ / io::bone_file(bone.name));
+        bone.mesh = std::make_shared<const TriMesh>(std::move(data.mesh));
+        scene->bones.push_back(std::move(bone));
+    }
+    for (const io::JsonFields& entry : summary.objects("muscles")) {
+        Muscle muscle;
+        muscle.name = entry.text("name");
+        muscle.source = source(entry);
+        muscle.attach_automatically = false;
+        scene->muscles.push_back(std::move(muscle));
+    }
+    if (summary.has("hinge")) {
+        const io::JsonFields hinge = summary.object("hinge");
+        scene->timeline.hinge = Hinge{hinge.vector("centre"), hinge.vector("axis")};
+    }
+    if (summary.has("parameters"))
+        for (const auto& [key, value] : summary.object("parameters").json().items())
+            if (scene->parameters.table().find(key) != nullptr) {
+                if (value.is_string())
+                    scene->parameters.set_text(key, value.get<std::string>());
+                else if (value.is_number())
+                    scene->parameters.set(key, value.get<double>());
+            }
+    scene->timeline.last_frame = frames_.back();
+    scene_ = std::move(scene);
+}
+
+void RunReader::read_motion() {
+    const auto count = static_cast<std::size_t>(frames_.back()) + 1;
+    poses_.assign(count, std::vector<Pose>(scene_->bones.size()));
+    const fs::path path = folder_ / "motion.csv";
+    const std::string bytes = read_file(path);
+    CsvReader csv(bytes, path.string());
+    const int frame_column = csv.column("frame"), bone_column = csv.column("bone");
+    int m[3][4];
+    bool complete = frame_column >= 0 && bone_column >= 0;
+    for (int r = 0; r < 3; ++r)
+        for (int c = 0; c < 4; ++c) {
+            m[r][c] = csv.column(std::string{'m', static_cast<char>('0' + r), static_cast<char>('0' + c)});
+            complete = complete && m[r][c] >= 0;
+        }
+    if (!complete)
+        csv.fail("a column is missing", "frame,bone,m00,m01,...,m23");
+    while (csv.next_row()) {
+        const auto frame = static_cast<std::size_t>(row_frame(csv, frame_column));
+        const int bone = scene_->bone_index(csv.cell(bone_column));
+        if (bone < 0)
+            csv.fail("bone '" + csv.cell(bone_column) + "' is not in summary.json", "a bone of the run");
+        if (frame >= count)
+            continue;
+        Pose& pose = poses_[frame][static_cast<std::size_t>(bone)];
+        for (int r = 0; r < 3; ++r) {
+            for (int c = 0; c < 3; ++c)
+                pose.rotation(r, c) = csv.number(m[r][c]);
+            pose.translation[r] = csv.number(m[r][3]);
+        }
+    }
+}
+
+void RunReader::read_angles() {
+    angles_.assign(poses_.size(), 0.0);
+    const fs::path path = folder_ / "metrics.csv";
+    const std::string bytes = read_file(path);
+    CsvReader csv(bytes, path.string());
+    const int frame_column = csv.column("frame"), angle_column = csv.column("angle_deg");
+    if (frame_column < 0 || angle_column < 0)
+        csv.fail("a column is missing", "frame,muscle,angle_deg,...");
+    while (csv.next_row()) {
+        const auto frame = static_cast<std::size_t>(row_frame(csv, frame_column));
+        if (frame < angles_.size())
+            angles_[frame] = csv.number(angle_column) * std::numbers::pi / 180.0;
+    }
+}
+
+void RunReader::read_rest() {
+    auto scene = std::make_shared<Scene>(*scene_);
+    for (Muscle& muscle : scene->muscles) {
+        const fs::path path = folder_ / io::frame_file(muscle.name, 0);
+        MeshData data = read_vtp_file(path);
+        const auto find = [&](const char* name) -> const NamedArray* {
+            for (const NamedArray& array : data.point_arrays)
+                if (array.name == name && array.components == 1)
+                    return &array;
+            return nullptr;
+        };
+        std::vector<Attachment> attachments;
+        const NamedArray* kinds = find(io::attachment_array);
+        const NamedArray* bones = find(io::attached_to_array);
+        for (std::size_t v = 0; kinds != nullptr && bones != nullptr && v < kinds->values.size(); ++v) {
+            const double kind = kinds->values[v], bone = bones->values[v];
+            if (kind == 0)
+                continue;
+            if (!(bone >= -1 && bone < static_cast<double>(scene->bones.size())))
+                throw_error(path.string(),
+                            "vertex " + std::to_string(v) + " is attached to a bone that is not there",
+                            "an index of a bone");
+            const AttachmentKind which = kind == 1   ? AttachmentKind::origin
+                                         : kind == 2 ? AttachmentKind::insertion
+                                                     : AttachmentKind::unknown;
+            const int index = static_cast<int>(bone);
+            auto it = std::find_if(attachments.begin(), attachments.end(),
+                                   [&](const Attachment& a) { return a.kind == which && a.bone == index; });
+            if (it == attachments.end())
+                it = attachments.insert(attachments.end(), {which, index, {}});
+            it->vertices.push_back(static_cast<int>(v));
+        }
+        muscle.attachments = attachments;
+        attachments_.push_back(std::move(attachments));
+        muscle.mesh = std::make_shared<const TriMesh>(std::move(data.mesh));
+    }
+    scene_ = std::move(scene);
+}
+
+FramePtr RunReader::read_frame(int frame) const {
+    if (!std::binary_search(frames_.begin(), frames_.end(), frame)) {
+        const auto nearest = std::min_element(frames_.begin(), frames_.end(), [&](int a, int b) {
+            return std::abs(a - frame) < std::abs(b - frame);
+        });
+        throw_error(folder_.string(), "frame " + std::to_string(frame) + " has no file",
+                    "a frame of the run, such as " + std::to_string(*nearest), ErrorKind::usage);
+    }
+    auto out = std::make_shared<Frame>();
+    out->index = frame;
+    out->angle_rad = angles_[static_cast<std::size_t>(frame)];
+    out->bone_poses = poses_[static_cast<std::size_t>(frame)];
+    for (const Muscle& muscle : scene_->muscles) {
+        const fs::path path = folder_ / io::frame_file(muscle.name, frame);
+        MeshData data = read_vtp_file(path);
+        if (data.mesh.positions.size() != muscle.mesh->positions.size())
+            throw_error(path.string(), "has " + std::to_string(data.mesh.positions.size()) + " points",
+                        std::to_string(muscle.mesh->positions.size()) + ", as at rest");
+        out->muscle_positions.push_back(std::make_shared<const Points>(std::move(data.mesh.positions)));
+    }
+    return out;
+}
+
+RecordingPtr RunReader::read_recording(const JobControl& control) const {
+    auto recording = std::make_shared<Recording>(scene_);
+    recording->set_attachments(attachments_);
+    for (std::size_t i = 0; i < frames_.size(); ++i) {
+        control.checkpoint("read frames", static_cast<double>(i) / static_cast<double>(frames_.size()));
+        recording->append(read_frame(frames_[i]));
+    }
+    recording->finish(RunState::finished);
+    return recording;
+}
+
+} // namespace fascicle

@@ -1,0 +1,12 @@
+#pragma once
+// summary.json of a run.
+
+#include "fascicle/io/run_writer.hpp"
+
+namespace fascicle::io {
+
+/// Indented JSON text. vtp_frames: the frames that have files.
+std::string run_summary(const Recording& recording, const RunOutputOptions& options,
+                        const std::vector<int>& vtp_frames);
+
+} // namespace fascicle::io

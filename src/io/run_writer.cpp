@@ -1,0 +1,220 @@
+#include "fascicle/io/run_writer.hpp"
+
+#include "fascicle/base/assert.hpp"
+#include "fascicle/base/error.hpp"
+#include "fascicle/io/csv.hpp"
+#include "fascicle/io/files.hpp"
+#include "io/formats/pvd.hpp"
+#include "io/formats/vtp.hpp"
+#include "io/run_files.hpp"
+#include "io/run_summary.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <set>
+
+namespace fascicle {
+namespace fs = std::filesystem;
+
+struct RunWriter::Impl {
+    fs::path folder;
+    ScenePtr scene;
+    RunOutputOptions options;
+    AtomicFile metrics_file, motion_file;
+    CsvWriter metrics{metrics_file.stream()}, motion{motion_file.stream()};
+    std::vector<std::vector<Attachment>> attachments;
+    std::vector<int> vtp_frames;
+    FramePtr last;
+    std::vector<std::vector<NamedArray>> last_arrays;
+
+    Impl(const fs::path& where, ScenePtr what, RunOutputOptions how)
+        : folder(where), scene(std::move(what)), options(std::move(how)),
+          metrics_file(checked(where, *scene) / "metrics.csv"), motion_file(where / "motion.csv") {}
+
+    static const fs::path& checked(const fs::path& folder, const Scene& scene);
+    void headers();
+    void write_bones() const;
+    void write_frame(const Frame& frame, const std::vector<std::vector<NamedArray>>& arrays);
+    std::vector<NamedArray> attachment_arrays(std::size_t muscle) const;
+    void remove_stale_frames() const;
+};
+
+/// The folder, once it is clear that no output would replace an input of the scene.
+const fs::path& RunWriter::Impl::checked(const fs::path& folder, const Scene& scene) {
+    std::set<fs::path> outputs;
+    const auto canonical = [](const fs::path& path) {
+        std::error_code code;
+        const fs::path found = fs::weakly_canonical(path, code);
+        return code ? path : found;
+    };
+    for (const char* name : {"summary.json", "metrics.csv", "motion.csv"})
+        outputs.insert(canonical(folder / name));
+    for (const Bone& bone : scene.bones)
+        outputs.insert(canonical(folder / io::bone_file(bone.name)));
+    for (const Muscle& muscle : scene.muscles)
+        outputs.insert(canonical(folder / io::series_file(muscle.name)));
+    const auto check = [&](const MeshSource& source) {
+        if (source.path.empty())
+            return;
+        const fs::path path = canonical(source.path);
+        bool clash = outputs.count(path) > 0;
+        for (const Muscle& muscle : scene.muscles)
+            clash = clash || (path.parent_path() == canonical(folder / "frames") &&
+                              io::frame_of_file(path, muscle.name) >= 0);
+        if (clash)
+            throw_error(folder.string(), "the output would replace the input " + source.path,
+                        "another output folder", ErrorKind::usage);
+    };
+    for (const Bone& bone : scene.bones)
+        check(bone.source);
+    for (const Muscle& muscle : scene.muscles) {
+        check(muscle.source);
+        check(muscle.surface_fibres_source);
+        for (const MeshSource& source : muscle.outline_files)
+            check(source);
+    }
+    return folder;
+}
+
+void RunWriter::Impl::headers() {
+    metrics.text("frame").text("muscle").text("angle_deg");
+    for (const std::string& key : options.metric_columns)
+        metrics.text(key);
+    metrics.end_row();
+    motion.text("frame").text("bone");
+    for (const char row : {'0', '1', '2'})
+        for (const char column : {'0', '1', '2', '3'})
+            motion.text(std::string{'m', row, column});
+    motion.end_row();
+}
+
+void RunWriter::Impl::write_bones() const {
+    for (const Bone& bone : scene->bones) {
+        MeshData data;
+        data.mesh = *bone.mesh;
+        AtomicFile file(folder / io::bone_file(bone.name));
+        io::write_vtp(file.stream(), data);
+        file.commit();
+    }
+}
+
+std::vector<NamedArray> RunWriter::Impl::attachment_arrays(std::size_t muscle) const {
+    const auto n = static_cast<std::size_t>(scene->muscles[muscle].mesh->vertex_count());
+    NamedArray kind{io::attachment_array, 1, std::vector<double>(n, 0.0)};
+    NamedArray bone{io::attached_to_array, 1, std::vector<double>(n, -1.0)};
+    if (muscle < attachments.size())
+        for (const Attachment& a : attachments[muscle])
+            for (const int v : a.vertices) {
+                const auto i = static_cast<std::size_t>(v);
+                kind.values[i] = a.kind == AttachmentKind::origin      ? 1
+                                 : a.kind == AttachmentKind::insertion ? 2
+                                                                       : 3;
+                bone.values[i] = a.bone;
+            }
+    return {kind, bone};
+}
+
+void RunWriter::Impl::write_frame(const Frame& frame, const std::vector<std::vector<NamedArray>>& arrays) {
+    for (std::size_t m = 0; m < scene->muscles.size(); ++m) {
+        MeshData data;
+        data.mesh.positions = *frame.muscle_positions[m];
+        data.mesh.triangles = scene->muscles[m].mesh->triangles;
+        data.point_arrays = attachment_arrays(m);
+        if (m < arrays.size())
+            data.point_arrays.insert(data.point_arrays.end(), arrays[m].begin(), arrays[m].end());
+        AtomicFile file(folder / io::frame_file(scene->muscles[m].name, frame.index));
+        io::write_vtp(file.stream(), data);
+        file.commit();
+    }
+    vtp_frames.push_back(frame.index);
+}
+
+/// Frames of an earlier run in the same folder that this one did not reach would pass for its own.
+void RunWriter::Impl::remove_stale_frames() const {
+    std::error_code ignored;
+    std::vector<fs::path> stale;
+    for (const auto& entry : fs::directory_iterator(folder / "frames", ignored))
+        for (const Muscle& muscle : scene->muscles) {
+            const int frame = io::frame_of_file(entry.path(), muscle.name);
+            if (frame >= 0 && !std::binary_search(vtp_frames.begin(), vtp_frames.end(), frame))
+                stale.push_back(entry.path());
+        }
+    for (const fs::path& path : stale)
+        fs::remove(path, ignored);
+}
+
+RunWriter::RunWriter(fs::path folder, ScenePtr scene, RunOutputOptions options) {
+    FASCICLE_ASSERT(scene != nullptr && options.every >= 1);
+    impl_ = std::make_unique<Impl>(folder, std::move(scene), std::move(options));
+    impl_->headers();
+}
+
+RunWriter::~RunWriter() = default;
+
+void RunWriter::set_attachments(std::vector<std::vector<Attachment>> attachments) {
+    FASCICLE_ASSERT(impl_->last == nullptr);
+    impl_->attachments = std::move(attachments);
+}
+
+void RunWriter::add_frame(FramePtr frame, const std::vector<std::vector<double>>& metrics,
+                          std::vector<std::vector<NamedArray>> point_arrays) {
+    Impl& me = *impl_;
+    const std::size_t muscles = me.scene->muscles.size();
+    FASCICLE_ASSERT(frame->muscle_positions.size() == muscles && metrics.size() == muscles);
+    FASCICLE_ASSERT(frame->bone_poses.size() == me.scene->bones.size());
+    FASCICLE_ASSERT(me.last == nullptr || frame->index > me.last->index);
+    if (me.last == nullptr) {
+        // The folder is this run's from here on: an earlier summary would speak of other frames.
+        std::error_code ignored;
+        fs::remove(me.folder / "summary.json", ignored);
+        if (me.options.vtp)
+            me.write_bones();
+    }
+    for (std::size_t m = 0; m < muscles; ++m) {
+        FASCICLE_ASSERT(metrics[m].size() == me.options.metric_columns.size());
+        me.metrics.integer(frame->index).text(me.scene->muscles[m].name);
+        me.metrics.number(frame->angle_rad * 180.0 / std::numbers::pi);
+        for (const double value : metrics[m])
+            me.metrics.number(value);
+        me.metrics.end_row();
+    }
+    for (std::size_t b = 0; b < frame->bone_poses.size(); ++b) {
+        const Pose& pose = frame->bone_poses[b];
+        me.motion.integer(frame->index).text(me.scene->bones[b].name);
+        for (int row = 0; row < 3; ++row) {
+            for (int column = 0; column < 3; ++column)
+                me.motion.number(pose.rotation(row, column));
+            me.motion.number(pose.translation[row]);
+        }
+        me.motion.end_row();
+    }
+    if (!me.metrics_file.stream() || !me.motion_file.stream())
+        throw_error(me.folder.string(), "cannot write the tables of the run", "space on the disk");
+    if (me.options.vtp && frame->index % me.options.every == 0)
+        me.write_frame(*frame, point_arrays);
+    me.last = std::move(frame);
+    me.last_arrays = std::move(point_arrays);
+}
+
+void RunWriter::finish(const Recording& recording) {
+    Impl& me = *impl_;
+    if (me.options.vtp && me.last && (me.vtp_frames.empty() || me.vtp_frames.back() != me.last->index))
+        me.write_frame(*me.last, me.last_arrays);
+    if (me.options.vtp) {
+        me.remove_stale_frames();
+        const double frame_time = me.scene->parameters.get("solver.frame_time");
+        for (const Muscle& muscle : me.scene->muscles) {
+            std::vector<std::pair<double, std::string>> series;
+            for (const int frame : me.vtp_frames)
+                series.emplace_back(frame * frame_time, io::frame_file(muscle.name, frame).generic_string());
+            AtomicFile file(me.folder / io::series_file(muscle.name));
+            io::write_pvd(file.stream(), series);
+            file.commit();
+        }
+    }
+    me.metrics_file.commit();
+    me.motion_file.commit();
+    write_file(me.folder / "summary.json", io::run_summary(recording, me.options, me.vtp_frames));
+}
+
+} // namespace fascicle
