@@ -4,7 +4,7 @@
 #include "fascicle/base/param_table.hpp"
 #include "fascicle/base/state_hash.hpp"
 #include "fascicle/geometry/bounding_box.hpp"
-#include "fascicle/geometry/fit_sphere.hpp"
+#include "fascicle/geometry/sphere_fit.hpp"
 #include "fascicle/io/attachment_file.hpp"
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/mesh_file.hpp"
@@ -88,32 +88,35 @@ Muscle& muscle_named(Scene& scene, const std::string& option, const std::string&
     return scene.muscles[static_cast<std::size_t>(index)];
 }
 
-/// Centre of the head of the moving bone that sits best in the bones that stay.
+/// Centre of the ball by which a moving bone sits in the bones that stay; of several moving bones the one whose ball
+/// covers most of its sphere.
 Vec3 fitted_centre(LoadedScene& loaded, const std::vector<int>& moving) {
-    std::vector<const TriMesh*> fixed;
+    std::vector<MeshPtr> fixed;
     for (int b = 0; b < static_cast<int>(loaded.scene.bones.size()); ++b)
         if (std::count(moving.begin(), moving.end(), b) == 0)
-            fixed.push_back(loaded.scene.bones[static_cast<std::size_t>(b)].mesh.get());
-    std::optional<JointFit> best;
-    std::string best_name;
-    for (const int b : moving) {
+            fixed.push_back(loaded.scene.bones[static_cast<std::size_t>(b)].mesh);
+    JointFit best;
+    std::string best_name, reason = "no bone stays";
+    for (const int b : fixed.empty() ? std::vector<int>{} : moving) {
         const Bone& bone = loaded.scene.bones[static_cast<std::size_t>(b)];
-        if (const auto fit = fit_joint_centre(*bone.mesh, fixed);
-            fit && (!best || fit->clearance < best->clearance)) {
+        const JointFit fit = fit_joint_centre(*bone.mesh, fixed);
+        if (fit.sphere && (!best.sphere || fit.coverage > best.coverage)) {
             best = fit;
             best_name = bone.name;
+        } else if (!fit.sphere) {
+            reason = bone.name + ": " + fit.reason;
         }
     }
-    if (!best)
-        fail_usage("--hinge",
-                   "no joint centre can be fitted: no moving bone has a ball near a bone that stays",
+    if (!best.sphere)
+        fail_usage("--hinge", "no joint centre can be fitted (" + reason + ")",
                    "--hinge \"cx,cy,cz;ax,ay,az\"");
-    const Vec3& c = best->head.centre;
+    const Vec3& c = best.sphere->centre;
     const auto rounded = [](double x) { return number_text(std::round(x * 1000.0) / 1000.0); };
-    loaded.notes.push_back("joint centre fitted to the head of " + best_name + ": (" + rounded(c.x()) + ", " +
-                           rounded(c.y()) + ", " + rounded(c.z()) + "), radius " +
-                           rounded(best->head.radius) + ' ' + to_text(loaded.scene.unit) + ", rms error " +
-                           rounded(best->rms));
+    loaded.notes.push_back("joint centre fitted to " +
+                           std::string(best.ball_on_moving_bone ? "the ball of " : "the socket of ") +
+                           best_name + ": (" + rounded(c.x()) + ", " + rounded(c.y()) + ", " +
+                           rounded(c.z()) + "), radius " + rounded(best.sphere->radius) + ' ' +
+                           to_text(loaded.scene.unit) + ", rms error " + rounded(best.rms));
     return c;
 }
 

@@ -93,14 +93,26 @@ TEST_CASE("without a hinge the joint centre is fitted", "[io][load_scene]") {
     r.hinge.reset();
     const LoadedScene loaded = load_scene(r);
     REQUIRE(loaded.scene.timeline.hinge);
-    CHECK(loaded.scene.timeline.hinge->centre.norm() < 1e-6);
+    CHECK(loaded.scene.timeline.hinge->centre.norm() < 1e-3);
     CHECK(loaded.scene.timeline.hinge->axis == Vec3(1, 0, 0));
-    CHECK_THAT(loaded.notes.back(), Contains("joint centre fitted to the head of ball"));
+    CHECK_THAT(loaded.notes.back(), Contains("joint centre fitted to the ball of ball"));
 
     r.hinge = parse_hinge(";0,3,0"); // an axis alone
     CHECK(load_scene(r).scene.timeline.hinge->axis == Vec3(0, 1, 0));
     files.write("ball.vtp", box(3, 3, 3));
+    files.write("socket.vtk", box(30, 3, 30));
     fails_as_usage(r, "no joint centre can be fitted");
+    r.bones.clear();
+    fails_as_usage(r, "no joint centre can be fitted (no bone stays)");
+}
+
+TEST_CASE("LHDL: the fitted joint centre", "[io][load_scene][data]") {
+    FASCICLE_NEED_DATA(data);
+    SceneRequest r;
+    r.bones = {data / "lhdl/pelvis.obj"};
+    r.moving_bones = {data / "lhdl/femur.vtk"};
+    const LoadedScene loaded = load_scene(r);
+    CHECK((loaded.scene.timeline.hinge->centre - Vec3(143.86, 243.37, -432.53)).norm() < 0.5);
 }
 
 TEST_CASE("the unit is guessed from the size of everything", "[io][load_scene]") {
