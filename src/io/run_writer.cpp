@@ -4,6 +4,7 @@
 #include "fascicle/base/error.hpp"
 #include "fascicle/io/csv.hpp"
 #include "fascicle/io/files.hpp"
+#include "fascicle/metrics/metric_table.hpp"
 #include "io/formats/pvd.hpp"
 #include "io/formats/vtp.hpp"
 #include "io/run_files.hpp"
@@ -145,6 +146,9 @@ void RunWriter::Impl::remove_stale_frames() const {
 
 RunWriter::RunWriter(fs::path folder, ScenePtr scene, RunOutputOptions options) {
     FASCICLE_ASSERT(scene != nullptr && options.every >= 1);
+    if (options.metric_columns.empty())
+        for (const MetricRow& row : metric_table())
+            options.metric_columns.push_back(row.key);
     impl_ = std::make_unique<Impl>(folder, std::move(scene), std::move(options));
     impl_->headers();
 }

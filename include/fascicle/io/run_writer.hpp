@@ -12,7 +12,8 @@ namespace fascicle {
 struct RunOutputOptions {
     bool vtp = false; ///< frames/<muscle>.<frame>.vtp, <muscle>.pvd, bones/<bone>.vtp
     int every = 1;    ///< write every K-th frame as vtp, the last always; the tables have every frame
-    /// Columns of metrics.csv after frame, muscle and angle_deg: the keys of metric_table().
+    /// Columns of metrics.csv after frame, muscle and angle_deg: the keys of metric_table(), which
+    /// stand in when this is empty.
     std::vector<std::string> metric_columns;
     int threads = 1; ///< that the run uses, for the summary
 };
