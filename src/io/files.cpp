@@ -12,8 +12,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string reason() {
-    return errno != 0 ? std::strerror(errno) : "unknown reason";
+std::string reason(int number = errno) {
+    return number != 0 ? std::strerror(number) : "unknown reason";
 }
 
 } // namespace
@@ -42,6 +42,30 @@ std::string read_file(const fs::path& path, std::size_t max_bytes) {
     return bytes;
 }
 
+AtomicFile::Buffer::int_type AtomicFile::Buffer::overflow(int_type c) {
+    errno = 0;
+    const int_type result = std::filebuf::overflow(c);
+    if (traits_type::eq_int_type(result, traits_type::eof()) && reason == 0)
+        reason = errno;
+    return result;
+}
+
+std::streamsize AtomicFile::Buffer::xsputn(const char* data, std::streamsize size) {
+    errno = 0;
+    const std::streamsize written = std::filebuf::xsputn(data, size);
+    if (written != size && reason == 0)
+        reason = errno;
+    return written;
+}
+
+int AtomicFile::Buffer::sync() {
+    errno = 0;
+    const int result = std::filebuf::sync();
+    if (result != 0 && reason == 0)
+        reason = errno;
+    return result;
+}
+
 AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
     static std::atomic<unsigned> counter{0};
     std::error_code code;
@@ -52,15 +76,14 @@ AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
     temporary_ = path_;
     temporary_ += ".part" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
     errno = 0;
-    stream_.open(temporary_, std::ios::binary | std::ios::trunc);
-    if (!stream_)
+    if (buffer_.open(temporary_, std::ios::out | std::ios::binary | std::ios::trunc) == nullptr)
         throw_error(path_.string(), "cannot write: " + reason());
 }
 
 AtomicFile::~AtomicFile() {
     if (temporary_.empty())
         return;
-    stream_.close();
+    buffer_.close();
     std::error_code ignored;
     fs::remove(temporary_, ignored);
 }
@@ -70,10 +93,10 @@ void AtomicFile::write(const void* data, std::size_t size) {
 }
 
 void AtomicFile::commit() {
+    const bool written = !stream_.fail();
     errno = 0;
-    stream_.close();
-    if (stream_.fail())
-        throw_error(path_.string(), "cannot write: " + reason());
+    if (buffer_.close() == nullptr || !written)
+        throw_error(path_.string(), "cannot write: " + reason(buffer_.reason != 0 ? buffer_.reason : errno));
     std::error_code code;
     fs::rename(temporary_, path_, code);
     if (code)

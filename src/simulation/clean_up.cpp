@@ -15,7 +15,8 @@ double push_once(Vec3& p, std::span<const DistanceGrid* const> grids, double off
         if (depth <= 0.0)
             continue;
         worst = std::max(worst, depth);
-        if (const double squared = sample.gradient.squaredNorm(); squared > 0.09) // else no direction to trust
+        if (const double squared = sample.gradient.squaredNorm();
+            squared > 0.09) // else no direction to trust
             p += depth / squared * sample.gradient;
     }
     return worst;

@@ -27,9 +27,21 @@ public:
     void commit();
 
 private:
+    /// Remembers the system's reason of the first write that failed: by the time of commit() errno is another's.
+    class Buffer : public std::filebuf {
+    public:
+        int reason = 0;
+
+    protected:
+        int_type overflow(int_type c) override;
+        std::streamsize xsputn(const char* data, std::streamsize size) override;
+        int sync() override;
+    };
+
     std::filesystem::path path_;
     std::filesystem::path temporary_;
-    std::ofstream stream_;
+    Buffer buffer_;
+    std::ostream stream_{&buffer_};
 };
 
 /// AtomicFile for text or bytes that are already in memory.

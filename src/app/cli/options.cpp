@@ -12,7 +12,7 @@ namespace {
 
 CLI::Option* add_one(CLI::App& app, const std::string& name, const std::string& type,
                      const std::string& meaning, const std::function<void(const std::string&)>& read) {
-    return app.add_option_function<std::string>(name, read, meaning)->type_name(type);
+    return add_reader(app, name, type, meaning, false, read);
 }
 
 std::string join(const std::vector<std::string>& words, const char* between) {
@@ -24,29 +24,35 @@ std::string join(const std::vector<std::string>& words, const char* between) {
 
 } // namespace
 
-void check_value(const std::string& name, const std::string& text, const std::string& type) {
-    if (text.empty() || text.starts_with("--"))
-        throw_error(name, text.empty() ? "got an empty value" : "got '" + text + "'", type, ErrorKind::usage);
+CLI::Option* add_reader(CLI::App& app, const std::string& name, const std::string& type,
+                        const std::string& meaning, bool repeatable,
+                        const std::function<void(const std::string&)>& read) {
+    const auto take = [name, type, repeatable, read](const std::vector<std::string>& texts) {
+        if (texts.size() > 1 && !repeatable)
+            throw_error(name, "given " + std::to_string(texts.size()) + " times", "it once",
+                        ErrorKind::usage);
+        for (const std::string& text : texts) {
+            // CLI11 takes whatever follows an option as its value.
+            if (text.empty() || text.starts_with("--"))
+                throw_error(name, text.empty() ? "got an empty value" : "got '" + text + "'", type,
+                            ErrorKind::usage);
+            read(text);
+        }
+    };
+    return app.add_option_function<std::vector<std::string>>(name, take, meaning)
+        ->type_name(type)
+        ->allow_extra_args(false);
 }
 
 CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& target, const std::string& type,
                       const std::string& meaning) {
-    return add_one(app, name, type, meaning, [name, type, &target](const std::string& text) {
-        check_value(name, text, type);
-        target = text;
-    });
+    return add_one(app, name, type, meaning, [&target](const std::string& text) { target = text; });
 }
 
 CLI::Option* add_texts(CLI::App& app, const std::string& name, std::vector<std::string>& target,
                        const std::string& type, const std::string& meaning) {
-    const auto read = [name, type, &target](const std::vector<std::string>& texts) {
-        for (const std::string& text : texts)
-            check_value(name, text, type);
-        target = texts;
-    };
-    return app.add_option_function<std::vector<std::string>>(name, read, meaning)
-        ->type_name(type)
-        ->allow_extra_args(false);
+    return add_reader(app, name, type, meaning, true,
+                      [&target](const std::string& text) { target.push_back(text); });
 }
 
 CLI::Option* add_whole(CLI::App& app, const std::string& name, int& target, int low, int high,

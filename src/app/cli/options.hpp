@@ -8,6 +8,12 @@
 
 namespace fascicle::app {
 
+/// `--name TYPE`: hands the text to `read`, once per occurrence. Error (usage) when the text is empty or looks like an
+/// option (a forgotten value), and when the option is given twice without being repeatable.
+CLI::Option* add_reader(CLI::App& app, const std::string& name, const std::string& type,
+                        const std::string& meaning, bool repeatable,
+                        const std::function<void(const std::string&)>& read);
+
 /// `--name TYPE`: any text that does not itself look like an option.
 CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& target, const std::string& type,
                       const std::string& meaning);
@@ -23,9 +29,6 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, 
 /// `--name A`: one of `choices`.
 CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& target,
                         const std::vector<std::string>& choices, const std::string& meaning);
-
-/// CLI11 takes whatever follows an option as its value: error (usage) when `text` is empty or an option itself.
-void check_value(const std::string& name, const std::string& text, const std::string& type);
 
 /// Text between separators; "a,,b" has an empty part, "" has one empty part.
 std::vector<std::string> split(const std::string& text, char separator);

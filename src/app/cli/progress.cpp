@@ -29,10 +29,12 @@ std::string percent_text(double fraction) {
 ProgressDisplay::ProgressDisplay(std::ostream& out, Style style, int columns)
     : out_(out), style_(style), columns_(columns) {}
 
-ProgressDisplay ProgressDisplay::on_stderr(bool quiet) {
+ProgressDisplay ProgressDisplay::for_user(bool quiet) {
     if (quiet)
-        return {std::cerr, Style::none};
-    return {std::cerr, stderr_is_terminal() ? Style::bar : Style::lines, terminal_columns()};
+        return {std::cout, Style::none};
+    if (stderr_is_terminal())
+        return {std::cerr, Style::bar, terminal_columns()};
+    return {std::cout, Style::lines};
 }
 
 void ProgressDisplay::update(const Progress& progress, double now) {

@@ -19,8 +19,9 @@ public:
 
     /// columns: width of the terminal, for the bar.
     ProgressDisplay(std::ostream& out, Style style, int columns = 80);
-    /// On standard error: a bar on a terminal, lines otherwise, nothing when quiet.
-    static ProgressDisplay on_stderr(bool quiet);
+    /// A bar when standard error is a terminal; otherwise lines on standard output, so that standard error holds
+    /// errors alone; nothing when quiet.
+    static ProgressDisplay for_user(bool quiet);
 
     /// May be called as often as one likes: the bar is redrawn at most ten times a second, a line is written when a
     /// stage begins and, where frames are counted, at every tenth of them. `now`: seconds on any steady clock.

@@ -7,6 +7,18 @@ const std::vector<Command>& commands() {
         {"scenes", "List the embedded scenes", "  fascicle scenes", add_scenes},
         {"info", "Tell what mesh files hold and what is wrong with them",
          "  fascicle info muscle.vtk bone.obj", add_info},
+        {"simulate", "Run a scene and write numbers, meshes and pictures",
+         "  fascicle simulate --scene hip --export vtp,png --out out/hip\n"
+         "  fascicle simulate --muscle gluteus.vtk --bone pelvis.obj --moving-bone femur.vtk\n"
+         "      --hinge \"143.86,243.37,-432.53;1,0,0\" --angle-deg -57.3 --out out/flexion\n"
+         "  fascicle simulate --project my.fascicle --method classic --set solver.stiffness=0.8 --out out/my",
+         add_simulate},
+#ifdef FASCICLE_HAS_VIEW
+        {"render", "Draw one frame of a run or of a source as a picture",
+         "  fascicle render out/hip --frame 100 --size 1200x800 --out hip.png\n"
+         "  fascicle render --scene squish-box --frame 100 --colour strain --out box.png",
+         add_render},
+#endif
         {"parameters", "List every parameter of a simulation",
          "  fascicle parameters\n"
          "  fascicle parameters --markdown > docs/parameters.md",

@@ -3,6 +3,7 @@
 #include "embedded.hpp"
 
 #include "fascicle/base/error.hpp"
+#include "fascicle/base/suggest.hpp"
 
 namespace fascicle {
 
@@ -38,6 +39,7 @@ const std::vector<EmbeddedSceneInfo>& embedded_scenes() {
 
 Scene make_embedded_scene(std::string_view name, int threads) {
     std::string known;
+    std::vector<std::string> names;
     for (const Row& row : rows()) {
         if (row.info.name == name) {
             Scene scene = row.make(threads);
@@ -46,9 +48,11 @@ Scene make_embedded_scene(std::string_view name, int threads) {
             return scene;
         }
         known += (known.empty() ? "" : ", ") + row.info.name;
+        names.push_back(row.info.name);
     }
-    throw_error("scene '" + std::string(name) + "'", "there is no embedded scene of that name",
-                "one of: " + known, ErrorKind::usage);
+    throw_error("scene '" + std::string(name) + "'",
+                "there is no embedded scene of that name" + did_you_mean(name, names), "one of: " + known,
+                ErrorKind::usage);
 }
 
 } // namespace fascicle

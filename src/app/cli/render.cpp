@@ -1,0 +1,109 @@
+// fascicle render SOURCE|RUN --frame K --size WxH --out FILE.png: the viewport as a picture, without a display.
+
+#include "app/cli/command.hpp"
+#include "app/cli/options.hpp"
+#include "app/cli/pictures.hpp"
+#include "app/cli/run_scene.hpp"
+#include "app/cli/source_options.hpp"
+#include "fascicle/io/run_reader.hpp"
+
+#include <cmath>
+
+namespace fascicle::app {
+
+namespace {
+
+const int smallest_side = 16, largest_side = 16384;
+
+struct RenderOptions {
+    std::string run;
+    SourceOptions source;
+    SolveOptions solve;
+    int frame = 0;
+    std::string size = "1280x800";
+    std::string out;
+    std::string view;
+    std::string colour = "anatomy";
+    bool quiet = false;
+};
+
+PictureOptions picture_options(const RenderOptions& options) {
+    PictureOptions picture;
+    const std::vector<double> sides =
+        read_numbers("--size", options.size, 'x', 2, "WIDTHxHEIGHT in pixels, e.g. 1280x800");
+    for (const double side : sides)
+        if (side != std::floor(side) || side < smallest_side || side > largest_side)
+            throw_error("--size", "got '" + options.size + "'",
+                        "whole numbers from " + std::to_string(smallest_side) + " to " +
+                            std::to_string(largest_side),
+                        ErrorKind::usage);
+    picture.width = static_cast<int>(sides[0]);
+    picture.height = static_cast<int>(sides[1]);
+    const auto& names = standard_view_names();
+    if (const auto it = std::find(names.begin(), names.end(), options.view); it != names.end())
+        picture.from = static_cast<view::StandardView>(it - names.begin());
+    picture.strain = options.colour == "strain";
+    return picture;
+}
+
+/// Frames 0 to `frame` of the source; the frame is the last.
+RecordingPtr simulate_up_to(const RenderOptions& options) {
+    LoadedScene loaded = load(options.source, options.solve);
+    int& last = loaded.scene.timeline.last_frame;
+    if (options.frame > last)
+        throw_error("--frame", "got " + std::to_string(options.frame), "0 to " + std::to_string(last),
+                    ErrorKind::usage);
+    last = options.frame;
+    ProgressDisplay progress = ProgressDisplay::for_user(options.quiet);
+    RecordingPtr recording = run_scene(std::make_shared<const Scene>(std::move(loaded.scene)),
+                                       {thread_count(options.solve), loaded.notes}, progress,
+                                       [](const Recording&, const FramePtr&) {});
+    if (recording->state() == RunState::cancelled)
+        throw_error(options.out, "cancelled, no picture was written");
+    return recording;
+}
+
+/// Rest and one frame of a folder of a run; the frame is the last.
+RecordingPtr read_frames(const RenderOptions& options) {
+    const RunReader reader(options.run);
+    auto recording = std::make_shared<Recording>(reader.scene());
+    recording->set_attachments(reader.attachments());
+    recording->append(reader.read_frame(0));
+    if (options.frame != 0)
+        recording->append(reader.read_frame(options.frame));
+    recording->finish(RunState::finished);
+    return recording;
+}
+
+int render(const RenderOptions& options) {
+    if (options.out.empty())
+        throw_error("render", "no picture to write", "--out FILE.png", ErrorKind::usage);
+    if (!options.run.empty() && options.source.given)
+        throw_error("render", "got the run '" + options.run + "' and a source", "one of the two",
+                    ErrorKind::usage);
+    const PictureOptions picture = picture_options(options);
+    const RecordingPtr recording = options.run.empty() ? simulate_up_to(options) : read_frames(options);
+    Pictures pictures(*recording, picture);
+    write_picture(options.out, pictures.draw(recording->frame_count() - 1));
+    return 0;
+}
+
+} // namespace
+
+std::function<int()> add_render(CLI::App& app) {
+    const auto options = std::make_shared<RenderOptions>();
+    app.add_option("RUN", options->run, "Folder of a run made with --export vtp; instead of SOURCE");
+    add_source_options(app, options->source);
+    add_whole(app, "--frame", options->frame, 0, 1000000000, "K", "Frame, 0 is rest (default: 0)");
+    add_text(app, "--size", options->size, "WxH", "Pixels (default: 1280x800)");
+    add_text(app, "--out", options->out, "FILE.png", "The picture");
+    add_choice(app, "--view", options->view, standard_view_names(),
+               "Side to look from (default: where most muscle is seen)");
+    add_choice(app, "--colour", options->colour, {"anatomy", "strain"},
+               "What colours show (default: anatomy)");
+    add_solve_options(app, options->solve);
+    app.add_flag("--quiet", options->quiet, "No progress");
+    return [options] { return render(*options); };
+}
+
+} // namespace fascicle::app

@@ -1,0 +1,121 @@
+// fascicle simulate SOURCE [options] --out DIR: runs a scene and leaves numbers, meshes and pictures.
+
+#include "app/cli/command.hpp"
+#include "app/cli/options.hpp"
+#include "app/cli/run_scene.hpp"
+#include "app/cli/run_table.hpp"
+#include "app/cli/source_options.hpp"
+#include "fascicle/base/interrupt.hpp"
+#include "fascicle/base/suggest.hpp"
+#include "fascicle/io/run_writer.hpp"
+#include "fascicle/metrics/metric_table.hpp"
+#ifdef FASCICLE_HAS_VIEW
+#include "app/cli/pictures.hpp"
+#endif
+
+#include <iostream>
+
+namespace fascicle::app {
+
+namespace {
+
+struct SimulateOptions {
+    SourceOptions source;
+    SolveOptions solve;
+    std::string out;
+    std::vector<std::string> exports;
+    int every = 1;
+    bool quiet = false;
+};
+
+struct Exports {
+    bool vtp = false;
+    bool png = false;
+};
+
+Exports read_exports(const std::vector<std::string>& lists) {
+    const std::vector<std::string> known{"vtp", "csv", "png"};
+    Exports exports;
+    for (const std::string& list : lists)
+        for (const std::string& word : split(list, ',')) {
+            if (std::find(known.begin(), known.end(), word) == known.end())
+                throw_error("--export", "got '" + word + "'" + did_you_mean(word, known), "vtp, csv, png",
+                            ErrorKind::usage);
+            exports.vtp = exports.vtp || word == "vtp";
+            exports.png = exports.png || word == "png";
+        }
+#ifndef FASCICLE_HAS_VIEW
+    if (exports.png)
+        throw_error("--export", "this program was built without drawing", "vtp, csv", ErrorKind::usage);
+#endif
+    return exports;
+}
+
+/// Throws what a user reads who pressed Ctrl-C.
+[[noreturn]] void report_cancelled(const Recording& recording, const std::string& out) {
+    const int last = recording.frame_count() - 1;
+    const std::string total = std::to_string(recording.scene().timeline.last_frame);
+    if (last < 0)
+        throw_error({}, "cancelled before frame 0 of " + total + "; " + out + " holds no frames");
+    throw_error({}, "cancelled at frame " + std::to_string(last) + " of " + total + "; " + out +
+                        " holds frames 0.." + std::to_string(last));
+}
+
+int simulate(const SimulateOptions& options) {
+    if (options.out.empty())
+        throw_error("simulate", "no output folder", "--out DIR", ErrorKind::usage);
+    const Exports exports = read_exports(options.exports);
+    LoadedScene loaded = load(options.source, options.solve);
+    const int threads = thread_count(options.solve);
+    const auto scene = std::make_shared<const Scene>(std::move(loaded.scene));
+
+    RunWriter writer(options.out, scene, {exports.vtp, options.every, {}, threads});
+    RunTable table(*scene);
+    std::unique_ptr<MetricsEngine> metrics;
+    ProgressDisplay progress = ProgressDisplay::for_user(options.quiet);
+    const auto on_frame = [&](const Recording& recording, const FramePtr& frame) {
+        if (!metrics) {
+            metrics = std::make_unique<MetricsEngine>(recording, threads);
+            writer.set_attachments(recording.attachments());
+        }
+        const std::vector<std::vector<double>> values = metrics->measure(*frame);
+        table.add(*frame, values);
+        writer.add_frame(frame, values);
+    };
+    const RecordingPtr recording = run_scene(scene, {threads, loaded.notes}, progress, on_frame);
+    if (recording->frame_count() > 0)
+        writer.finish(*recording);
+    if (recording->state() == RunState::cancelled)
+        report_cancelled(*recording, options.out);
+#ifdef FASCICLE_HAS_VIEW
+    if (exports.png) {
+        progress.update({"pictures", 0, 0, 0}, steady_seconds());
+        write_run_pictures(*recording, options.out);
+        progress.finish();
+    }
+#endif
+    if (!options.quiet) {
+        for (const std::string& note : recording->notes())
+            std::cout << "note: " << note << '\n';
+        table.print(std::cout, *recording);
+        std::cout << "written to " << options.out << '\n';
+    }
+    return 0;
+}
+
+} // namespace
+
+std::function<int()> add_simulate(CLI::App& app) {
+    const auto options = std::make_shared<SimulateOptions>();
+    add_source_options(app, options->source);
+    add_text(app, "--out", options->out, "DIR", "Folder for everything that is written");
+    add_solve_options(app, options->solve);
+    add_texts(app, "--export", options->exports, "vtp,csv,png",
+              "What to write beside the tables: vtp surfaces, png pictures");
+    add_whole(app, "--every", options->every, 1, 1000000, "K",
+              "Write every K-th frame's surfaces, and the last");
+    app.add_flag("--quiet", options->quiet, "No progress and no closing table");
+    return [options] { return simulate(*options); };
+}
+
+} // namespace fascicle::app

@@ -1,0 +1,112 @@
+#include "app/cli/source_options.hpp"
+
+#include "app/cli/options.hpp"
+#include "fascicle/base/error.hpp"
+#include "fascicle/base/parallel.hpp"
+#include "fascicle/solver/soft_body_solver.hpp"
+
+namespace fascicle::app {
+
+namespace {
+
+const int most_threads = 256;
+const char* const group = "SOURCE";
+
+using NamedFiles = std::vector<std::pair<std::string, std::filesystem::path>>;
+
+/// An option of SOURCE that hands its text, once per occurrence, to `read`.
+void add(CLI::App& app, SourceOptions& options, const std::string& name, const std::string& type,
+         const std::string& meaning, bool repeatable, std::function<void(const std::string&)> read) {
+    const auto take = [&options, read](const std::string& text) {
+        options.given = true;
+        read(text);
+    };
+    add_reader(app, name, type, meaning, repeatable, take)->group(group);
+}
+
+std::function<void(const std::string&)> into(std::vector<std::filesystem::path>& paths) {
+    return [&paths](const std::string& text) { paths.emplace_back(text); };
+}
+
+std::function<void(const std::string&)> into(NamedFiles& files, const std::string& name) {
+    return [&files, name](const std::string& text) { files.push_back(parse_named_file(name, text)); };
+}
+
+} // namespace
+
+void add_source_options(CLI::App& app, SourceOptions& options) {
+    SceneRequest& r = options.request;
+    add(app, options, "--scene", "NAME", "Embedded scene, see 'fascicle scenes'", false,
+        [&r](const std::string& text) { r.embedded = text; });
+    add(app, options, "--project", "FILE.fascicle", "Project saved by the editor", false,
+        [&r](const std::string& text) { r.project = text; });
+    add(app, options, "--muscle", "MESH", "Muscle surface; again for more", true, into(r.muscles));
+    add(app, options, "--bone", "MESH", "Bone that stays; again for more", true, into(r.bones));
+    add(app, options, "--moving-bone", "MESH", "Bone that turns about the hinge; again for more", true,
+        into(r.moving_bones));
+    add(app, options, "--hinge", "CX,CY,CZ;AX,AY,AZ", "Centre and axis of the joint", false,
+        [&r](const std::string& text) { r.hinge = parse_hinge(text); });
+    add(app, options, "--angle-deg", "A", "Angle that the moving bones turn by, right-hand rule", false,
+        [&r](const std::string& text) {
+            r.angle_deg = read_numbers("--angle-deg", text, ',', 1, "a number of degrees").front();
+        });
+    add(app, options, "--phases", "OUT,BACK,REST", "Frames there, back and at rest (100,100,100)", false,
+        [&r](const std::string& text) { r.phases = parse_phases(text); });
+    add(app, options, "--attachments", "MUSCLE=FILE.csv", "Outlines of origin and insertion", true,
+        into(r.attachments, "--attachments"));
+    add(app, options, "--surface-fibres", "MUSCLE=FILE", "Superficial fibres as polylines", true,
+        into(r.surface_fibres, "--surface-fibres"));
+    add(app, options, "--units", "mm|m", "Length unit of the files; told from their size otherwise", false,
+        [&r](const std::string& text) { r.unit = parse_unit(text); });
+}
+
+void add_solve_options(CLI::App& app, SolveOptions& options) {
+    std::vector<std::string> methods;
+    for (const SolverMethod& method : solver_methods())
+        methods.push_back(method.name);
+    const int most_iterations = static_cast<int>(parameter_table().find("solver.iterations")->maximum);
+    add_choice(app, "--method", options.method, methods, "How muscles are solved (default: xpbd)");
+    add_whole(app, "--iterations", options.iterations, 1, most_iterations, "N",
+              "Solver passes a frame: substeps (xpbd, 10) or inner loops (classic, 3)");
+    add_whole(app, "--threads", options.threads, 1, most_threads, "N",
+              "Threads (default: all); never changes a result");
+    add_texts(app, "--set", options.sets, "KEY=VALUE",
+              "Any parameter of 'fascicle parameters'; again for more");
+}
+
+int thread_count(const SolveOptions& options) {
+    return options.threads > 0 ? options.threads : std::min(hardware_threads(), most_threads);
+}
+
+void apply(const SolveOptions& options, ParamSet& parameters) {
+    if (!options.method.empty())
+        set_method(parameters, options.method);
+    if (options.iterations > 0)
+        parameters.set("solver.iterations", options.iterations);
+    for (const std::string& text : options.sets) {
+        // The method brings defaults of its own: not a value like the others.
+        const std::string method_key = "solver.method=";
+        if (text.starts_with(method_key))
+            set_method(parameters, text.substr(method_key.size()));
+        else
+            parameters.assign(text);
+    }
+}
+
+LoadedScene load(const SourceOptions& source, const SolveOptions& solve) {
+    if (!source.given)
+        throw_error({}, "no source", "--scene NAME, --project FILE or --muscle MESH with --bone MESH",
+                    ErrorKind::usage);
+    // A wrong key is told before large files are read.
+    ParamSet checked = default_parameters();
+    apply(solve, checked);
+    SceneRequest request = source.request;
+    request.threads = thread_count(solve);
+    LoadedScene loaded = load_scene(request);
+    if (loaded.scene.muscles.empty())
+        throw_error({}, "there is no muscle to simulate", "--muscle MESH", ErrorKind::usage);
+    apply(solve, loaded.scene.parameters);
+    return loaded;
+}
+
+} // namespace fascicle::app
