@@ -170,7 +170,10 @@ ParamSet default_parameters() {
 }
 
 void set_method(ParamSet& parameters, const std::string& method) {
+    const bool same = parameters.get_choice("solver.method") == method;
     parameters.set_text("solver.method", method);
+    if (same) // keeps the defaults that a scene brings with it
+        return;
     // Defaults of the published program: edges rigid but for the fibres, bending 0.9, velocity factor 0.99 a
     // millisecond (10.05 1/s).
     if (method == "classic")

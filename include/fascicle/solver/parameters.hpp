@@ -11,7 +11,8 @@ const ParamTable& parameter_table();
 /// All defaults, for the method xpbd.
 ParamSet default_parameters();
 
-/// Switches solver.method and lets every value that was not edited follow the method's defaults.
+/// Switches solver.method and lets every value that was not edited follow the method's defaults. Nothing changes when the
+/// method is in force already: a scene may bring defaults of its own.
 /// Error (usage) when there is no such method.
 void set_method(ParamSet& parameters, const std::string& method);
 

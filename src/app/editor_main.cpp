@@ -1,0 +1,145 @@
+// fascicle-editor: opens a window on a scene.
+
+#include "app/cli/options.hpp"
+#include "app/cli/source_options.hpp"
+#include "app/window.hpp"
+#include "editor/editor.hpp"
+#include "fascicle/base/build_info.hpp"
+#include "fascicle/base/error.hpp"
+#include "render/gl_functions.hpp"
+#include "render/imgui_renderer.hpp"
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <iostream>
+#include <thread>
+
+namespace fascicle::app {
+
+namespace {
+
+struct EditorCommandLine {
+    std::string file; ///< a project
+    SourceOptions source;
+    SolveOptions solve;
+    double scale = 0; ///< 0: the monitor's
+    int quit_after = 0;
+};
+
+double seconds_now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+LoadedScene load_scene_to_edit(EditorCommandLine& options) {
+    if (!options.file.empty()) {
+        if (options.source.given)
+            throw_error("fascicle-editor", "got the file '" + options.file + "' and a source",
+                        "one of the two", ErrorKind::usage);
+        options.source.request.project = options.file;
+        options.source.given = true;
+    }
+    if (!options.source.given) {
+        options.source.request.embedded = "hip";
+        options.source.given = true;
+    }
+    return load(options.source, options.solve);
+}
+
+/// One picture after the other; sleeps while nothing changes.
+void run_window(Window& window, editor::Editor& program, render::ImguiRenderer& renderer, int quit_after) {
+    bool full_screen = false;
+    int still_frames = 0; // after the last activity a few more, until everything has settled
+    double last = seconds_now();
+    for (int frame = 0; !window.wants_close() && !program.state().wants_quit; ++frame) {
+        if (quit_after > 0 && frame >= quit_after)
+            break;
+        window.poll();
+        if (window.take_activity() || program.busy() || quit_after > 0)
+            still_frames = 0;
+        else if (++still_frames > 3 && !window.wait(0.5))
+            continue;
+        int width = 0, height = 0;
+        window.framebuffer_size(width, height);
+        if (width < 1 || height < 1) { // minimised
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+            continue;
+        }
+        const double now = seconds_now();
+        program.apply_look();
+        renderer.new_frame();
+        program.draw_frame(static_cast<float>(width), static_cast<float>(height), now - last);
+        last = now;
+        render::gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
+        render::gl::Viewport(0, 0, width, height);
+        renderer.draw(ImGui::GetDrawData());
+        window.update_cursor();
+        window.swap();
+        if (full_screen != program.state().wants_full_screen) {
+            full_screen = program.state().wants_full_screen;
+            window.set_full_screen(full_screen);
+        }
+    }
+}
+
+int run_editor(EditorCommandLine& options) {
+    LoadedScene loaded = load_scene_to_edit(options);
+    const std::string name = loaded.scene.name;
+    Window window(1360, 860, name + " - fascicle");
+    render::load_gl_functions(window.lookup());
+    const double scale = options.scale > 0 ? options.scale : double(window.content_scale());
+    render::ImguiHost host(static_cast<float>(scale));
+    render::ImguiRenderer renderer;
+    editor::Editor program(host, Document(std::move(loaded.scene), options.file),
+                           editor::simulate_on_thread(options.solve.threads));
+    for (const std::string& note : loaded.notes)
+        program.log().add(editor::Severity::note, note);
+    program.use_gl();
+    program.state().playback.playing = true; // the first run is watched as it comes
+    window.connect(program.input(),
+                   [&](std::vector<std::filesystem::path> files) { program.drop_files(files); });
+    run_window(window, program, renderer, options.quit_after);
+    return 0;
+}
+
+int parse_and_run(int argc, char** argv) {
+    CLI::App app("The editor of fascicle: skeletal muscles that deform around moving bones.",
+                 "fascicle-editor");
+    EditorCommandLine options;
+    app.set_version_flag("--version", std::string("fascicle-editor ") + program_version());
+    app.add_option("FILE", options.file,
+                   "A project (.fascicle); instead of a source. Without any: the scene hip");
+    add_source_options(app, options.source);
+    add_solve_options(app, options.solve);
+    add_number(app, "--scale", options.scale, "S",
+               "Size of text and controls, 0.75 to 3 (default: the monitor's)");
+    add_whole(app, "--quit-after", options.quit_after, 1, 1000000000, "N",
+              "Closes after N pictures; for tests");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp& help) {
+        return app.exit(help);
+    } catch (const CLI::CallForVersion& version) {
+        return app.exit(version);
+    } catch (const CLI::ParseError& error) {
+        throw_error("fascicle-editor", error.what(), {}, ErrorKind::usage);
+    }
+    if (app.count("--scale") > 0 && !(options.scale >= 0.75 && options.scale <= 3))
+        throw_error("--scale", "got " + number_text(options.scale), "0.75 to 3", ErrorKind::usage);
+    return run_editor(options);
+}
+
+} // namespace
+
+} // namespace fascicle::app
+
+int main(int argc, char** argv) {
+    try {
+        return fascicle::app::parse_and_run(argc, argv);
+    } catch (const fascicle::Error& error) {
+        std::cerr << "fascicle-editor: " << error.what() << "\n";
+        return static_cast<int>(error.kind());
+    } catch (const std::exception& error) {
+        std::cerr << "fascicle-editor: " << error.what() << "\n";
+        return 1;
+    }
+}

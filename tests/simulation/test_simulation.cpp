@@ -1,0 +1,214 @@
+#include "fascicle/geometry/volume.hpp"
+#include "fascicle/scene/embedded_scenes.hpp"
+#include "fascicle/simulation/simulation.hpp"
+#include "support/shapes.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+using namespace fascicle;
+
+namespace {
+
+std::shared_ptr<Recording> run(const Scene& scene, int threads = 2) {
+    auto recording = std::make_shared<Recording>(std::make_shared<Scene>(scene));
+    run_simulation(*recording, {threads}, {});
+    return recording;
+}
+
+double rms(const Points& a, const Points& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        sum += (a[i] - b[i]).squaredNorm();
+    return std::sqrt(sum / double(a.size()));
+}
+
+/// Vertices of the strap's middle surface along one side, ordered from origin to insertion.
+std::vector<std::size_t> middle_line(const Points& rest, double side) {
+    std::vector<std::pair<double, std::size_t>> found;
+    const double r = cylinder_moment_arm();
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+        const Vec3& p = rest[i];
+        if (std::abs(p.x() - side) > 1e-9)
+            continue;
+        const bool front = p.z() >= 0, below = p.y() >= 0;
+        const double out = front ? -p.y() : below ? -p.z() : std::hypot(p.y(), p.z());
+        const double along = front ? -p.z() : below ? 2 * r + p.y() : r * std::atan2(-p.z(), -p.y());
+        if (std::abs(out - r) < 1e-6)
+            found.emplace_back(along, i);
+    }
+    std::sort(found.begin(), found.end());
+    std::vector<std::size_t> line;
+    for (const auto& [along, i] : found)
+        line.push_back(i);
+    return line;
+}
+
+double length_of(const Points& x, const std::vector<std::size_t>& line) {
+    double length = 0;
+    for (std::size_t k = 0; k + 1 < line.size(); ++k)
+        length += (x[line[k + 1]] - x[line[k]]).norm();
+    return length;
+}
+
+} // namespace
+
+TEST_CASE("cylinder scene: fibre length and moment arm match the closed form within 2 %",
+          "[simulation][cylinder]") {
+    const Scene scene = make_embedded_scene("cylinder");
+    const auto recording = run(scene);
+    REQUIRE(recording->state() == RunState::finished);
+    const Points& rest = *recording->frame(0)->muscle_positions[0];
+    std::vector<double> lengths;
+    for (int k = 0; k <= 100; k += 10) {
+        double mean = 0;
+        for (const double side : {-0.5 * CylinderScene::width, 0.5 * CylinderScene::width}) {
+            const auto line = middle_line(rest, side);
+            REQUIRE(line.size() == 61);
+            mean += 0.5 * length_of(*recording->frame(k)->muscle_positions[0], line);
+        }
+        const double angle = recording->frame(k)->angle_rad;
+        CHECK(mean == Approx(cylinder_path_length(angle)).epsilon(0.02));
+        lengths.push_back(mean);
+    }
+    const double whole = (lengths.back() - lengths.front()) / CylinderScene::angle_rad;
+    CHECK(whole == Approx(cylinder_moment_arm()).epsilon(0.02));
+}
+
+TEST_CASE("squish-box: squeezed to a tenth, the box comes back to within 1 unit rms", "[simulation][slow]") {
+    const auto recording = run(make_embedded_scene("squish-box"));
+    REQUIRE(recording->frame_count() == 301);
+    const Points& rest = *recording->frame(0)->muscle_positions[0];
+    for (int k = 0; k <= 300; k += 20) {
+        const FramePtr frame = recording->frame(k);
+        const double top = 100.0 + frame->bone_poses[0].translation.y();
+        for (const Vec3& p : *frame->muscle_positions[0]) {
+            CHECK(p.y() > 0.0);
+            CHECK(p.y() < top);
+        }
+    }
+    CHECK(rms(*recording->last_frame()->muscle_positions[0], rest) < 1.0);
+}
+
+TEST_CASE("the same bits for any number of threads and from run to run", "[simulation]") {
+    Scene scene = make_embedded_scene("cylinder");
+    scene.timeline.last_frame = 12;
+    const auto one = run(scene, 1);
+    for (const int threads : {1, 2, 3, 8})
+        CHECK(*run(scene, threads)->last_frame()->muscle_positions[0] ==
+              *one->last_frame()->muscle_positions[0]);
+}
+
+TEST_CASE("frame 0 is rest and attached vertices follow their bones exactly", "[simulation]") {
+    Scene scene = make_embedded_scene("cylinder");
+    scene.timeline.last_frame = 8;
+    const auto recording = run(scene);
+    const Points& rest = *recording->frame(0)->muscle_positions[0];
+    CHECK(rms(rest, scene.muscles[0].mesh->positions) < 0.2);
+    const auto attachments = recording->attachments();
+    REQUIRE(attachments.size() == 1);
+    REQUIRE(attachments[0].size() == 2);
+    const FramePtr last = recording->last_frame();
+    for (const Attachment& a : attachments[0])
+        for (const int v : a.vertices)
+            CHECK((*last->muscle_positions[0])[std::size_t(v)] ==
+                  last->bone_poses[std::size_t(a.bone)].apply(rest[std::size_t(v)]));
+}
+
+TEST_CASE("cancelling keeps the frames so far", "[simulation]") {
+    Recording recording(std::make_shared<Scene>(make_embedded_scene("cylinder")));
+    std::atomic<bool> cancel{false};
+    JobControl control;
+    control.cancel = &cancel;
+    control.report = [&](std::string_view, double) { cancel = recording.frame_count() >= 5; };
+    run_simulation(recording, {1}, control);
+    CHECK(recording.state() == RunState::cancelled);
+    CHECK(recording.frame_count() >= 5);
+    CHECK(recording.frame_count() < 10);
+}
+
+TEST_CASE("a run on its own thread is read while it grows, and stops with its owner",
+          "[simulation][thread]") {
+    RecordingPtr recording;
+    {
+        SimulationThread thread(std::make_shared<Scene>(make_embedded_scene("cylinder")), {2});
+        recording = thread.recording();
+        while (recording->frame_count() < 3 && !thread.done())
+            std::this_thread::yield();
+        CHECK(recording->last_frame() != nullptr);
+        CHECK(thread.progress().second >= 0.0);
+    }
+    CHECK(recording->state() == RunState::cancelled);
+    CHECK(recording->frame_count() >= 3);
+}
+
+TEST_CASE("scenes that cannot run say why", "[simulation]") {
+    const auto failure = [](const Scene& scene) {
+        Recording recording(std::make_shared<Scene>(scene));
+        try {
+            run_simulation(recording, {1}, {});
+        } catch (const Error& error) {
+            CHECK(recording.state() == RunState::failed);
+            CHECK(recording.failure() == error.what());
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    Scene scene;
+    CHECK(failure(scene).find("no muscle") != std::string::npos);
+    Muscle muscle;
+    muscle.name = "ball";
+    muscle.mesh = std::make_shared<TriMesh>(test::inside_out(test::sphere(1.0, 2)));
+    scene.muscles.push_back(muscle);
+    CHECK(failure(scene).find("ball") != std::string::npos);
+    scene = make_embedded_scene("cylinder");
+    scene.muscles[0].attachments[0].vertices.clear();
+    for (int v = 0; v < scene.muscles[0].mesh->vertex_count(); ++v)
+        scene.muscles[0].attachments[0].vertices.push_back(v);
+    scene.timeline.bone_tracks.clear(); // nothing sweeps, nothing is released
+    CHECK(failure(scene).find("every vertex is attached") != std::string::npos);
+}
+
+TEST_CASE("a muscle that starts inside a bone is put outside and said so", "[simulation]") {
+    Scene scene;
+    Bone bone;
+    bone.name = "block";
+    bone.mesh = std::make_shared<TriMesh>(test::box(20, 20, 10));
+    scene.bones.push_back(bone);
+    Muscle muscle;
+    muscle.name = "ball";
+    muscle.mesh = std::make_shared<TriMesh>(test::sphere(5, 3, Vec3(10, 10, 14.5)));
+    muscle.attach_automatically = false;
+    scene.muscles.push_back(muscle);
+    scene.timeline.last_frame = 5;
+    const auto recording = run(scene);
+    for (const Vec3& p : *recording->frame(0)->muscle_positions[0])
+        CHECK(p.z() > 10.0);
+    const auto notes = recording->notes();
+    CHECK(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+        return note.find("moved off the bones") != std::string::npos;
+    }));
+}
+
+TEST_CASE("the same scene in metres moves alike", "[simulation]") {
+    Scene scene = make_embedded_scene("cylinder");
+    scene.timeline.last_frame = 20;
+    const auto in_mm = run(scene);
+    Scene metres = scene;
+    metres.unit = LengthUnit::metre;
+    const auto scaled = [](const MeshPtr& mesh) {
+        auto copy = std::make_shared<TriMesh>(*mesh);
+        for (Vec3& p : copy->positions)
+            p *= 1e-3;
+        return copy;
+    };
+    for (Bone& bone : metres.bones)
+        bone.mesh = scaled(bone.mesh);
+    metres.muscles[0].mesh = scaled(metres.muscles[0].mesh);
+    const auto in_m = run(metres);
+    Points back = *in_m->last_frame()->muscle_positions[0];
+    for (Vec3& p : back)
+        p *= 1e3;
+    CHECK(rms(back, *in_mm->last_frame()->muscle_positions[0]) < 0.01);
+}
