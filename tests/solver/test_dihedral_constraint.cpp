@@ -1,5 +1,6 @@
 // The angle and its gradients have their own tests (geometry/test_dihedral_angle.cpp); here: the constraint on them.
 #include "fascicle/geometry/dihedral_angle.hpp"
+#include "solver/compliance.hpp"
 #include "solver/constraints/dihedral.hpp"
 #include "support/shapes.hpp"
 
@@ -14,7 +15,7 @@ using namespace fascicle::solver;
 
 namespace {
 
-constexpr double reference = 1.0 / 600.0;
+constexpr double reference = reference_substep_s;
 
 /// Two triangles over the edge (0,0,0)-(0,1,0), the second wing turned up by `angle` from flat.
 Points pair(double angle) {

@@ -13,7 +13,7 @@ namespace {
 const Vec3 a0(0.3, -1.2, 2.0), b0(1.7, 0.4, 1.1);
 
 Points project_pair(Vec3 a, Vec3 b, double wa, double wb, double rest, double compliance,
-                    double h = 1.0 / 600.0) {
+                    double h = reference_substep_s) {
     DistanceConstraints constraints;
     constraints.add({0, 1, rest, compliance});
     Points x{a, b};

@@ -75,7 +75,7 @@ TEST_CASE("volume: a projection leaves rest alone", "[solver][volume]") {
 TEST_CASE("volume: one projection leaves an error of second order, the published 1/6 would leave 5/6",
           "[solver][volume]") {
     const TriMesh mesh = test::sphere(1.0, 3);
-    const double squash = GENERATE(0.999, 0.99, 0.9);
+    const double squash = GENERATE(0.999, 0.99, 0.97);
     VolumeConstraint constraint(mesh.positions, mesh.triangles, 1);
     Points x = moved(mesh.positions, squash * Mat3::Identity(), Vec3::Zero());
     const double before = constraint.evaluate(x) / constraint.rest_volume() - 1.0;
