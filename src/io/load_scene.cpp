@@ -240,7 +240,11 @@ LengthUnit guess_unit(const Scene& scene) {
         box.add(bounding_box(bone.mesh->positions, bone.mesh->triangles));
     for (const Muscle& muscle : scene.muscles)
         box.add(bounding_box(muscle.mesh->positions, muscle.mesh->triangles));
-    return box.diagonal() < 5.0 ? LengthUnit::metre : LengthUnit::millimetre;
+    return guess_unit(box.diagonal());
+}
+
+LengthUnit guess_unit(double diagonal) {
+    return diagonal < 5.0 ? LengthUnit::metre : LengthUnit::millimetre;
 }
 
 } // namespace fascicle

@@ -48,6 +48,21 @@ class RenderTest(ProgramTest):
         self.assertNotEqual(self.render("a.png", *at).read_bytes(),
                             self.render("b.png", *at, "--colour", "strain").read_bytes())
 
+    def test_the_whole_editor(self):
+        run = self.simulate("--export", "vtp")
+        at = ("--ui", "--frame", "6", "--size", "800x500")
+        editor = self.render("editor.png", run, *at)
+        self.assertEqual(png_size(editor), (800, 500))
+        plain = self.render("plain.png", run, *at[1:])
+        self.assertNotEqual(editor.read_bytes(), plain.read_bytes())
+        self.assertNotEqual(editor.read_bytes(),
+                            self.render("rest.png", run, "--ui", "--size", "800x500").read_bytes())
+        self.assertEqual(png_size(self.render("source.png", *self.source, *at)), (800, 500))
+        self.check_error(2, ["frame 13", "12"], "render", run, "--ui", "--frame", "13", "--out", "x.png")
+        self.check_error(2, ["--view", "--ui"], "render", run, "--ui", "--view", "left", "--out", "x.png")
+        thinned = self.simulate("--export", "vtp", "--every", "3")
+        self.check_error(2, ["--every"], "render", thinned, "--ui", "--frame", "6", "--out", "x.png")
+
     def test_export_png_leaves_four_pictures(self):
         run = self.simulate("--export", "png")
         self.assertEqual(sorted(file.name for file in run.glob("*.png")),

@@ -63,6 +63,7 @@ void load_surface_fibres(Muscle& muscle, const std::filesystem::path& path, std:
 
 /// Metres when the diagonal of all meshes together is below 5, else millimetres.
 LengthUnit guess_unit(const Scene& scene);
+LengthUnit guess_unit(double diagonal);
 
 /// Polylines from pieces: where exactly two lines end at a point, they become one. Lines keep the order in which they
 /// begin; rings stay closed, cut where their first piece begins. Points and their order do not change.

@@ -4,6 +4,7 @@
 #include "fascicle/base/error.hpp"
 #include "fascicle/geometry/bounding_box.hpp"
 #include "fascicle/geometry/volume.hpp"
+#include "fascicle/io/load_scene.hpp"
 #include "fascicle/io/mesh_file.hpp"
 
 #include <CLI/CLI.hpp>
@@ -28,15 +29,15 @@ void print(const char* label, const std::string& value) {
     std::cout << "  " << std::left << std::setw(14) << label << value << '\n';
 }
 
-void print_surface(const MeshFile& file) {
+void print_surface(const MeshFile& file, const std::string& unit) {
     const TriMesh& mesh = file.mesh;
     const MeshReport& report = file.report;
     print("vertices", std::to_string(mesh.vertex_count()));
     print("triangles", std::to_string(mesh.triangle_count()));
     print("components", std::to_string(report.components));
     print("surface", report.closed() ? "closed" : "open");
-    print("area", text(surface_area(mesh.positions, mesh.triangles)) + " square units");
-    print("volume", report.closed() ? text(signed_volume(mesh.positions, mesh.triangles)) + " cubic units"
+    print("area", text(surface_area(mesh.positions, mesh.triangles)) + ' ' + unit + "2");
+    print("volume", report.closed() ? text(signed_volume(mesh.positions, mesh.triangles)) + ' ' + unit + '3'
                                     : "none, the surface is open");
 }
 
@@ -47,13 +48,16 @@ void print_file(const std::string& path) {
         box.add(p);
     std::cout << path << '\n';
     print("format", file.format);
+    const std::string unit = to_text(guess_unit(box.diagonal()));
+    if (!box.empty())
+        print("unit", unit + " (guessed from the size)");
     if (!file.mesh.triangles.empty())
-        print_surface(file);
+        print_surface(file, unit);
     if (!file.lines.lines.empty())
         print("polylines", std::to_string(file.lines.lines.size()));
     if (!box.empty()) {
         print("box", text(box.min) + " to " + text(box.max));
-        print("size", text(box.size()));
+        print("size", text(box.size()) + ", diagonal " + text(box.diagonal()));
     }
     print("hash", file.hash);
     for (const std::string& note : file.notes)

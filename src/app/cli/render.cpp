@@ -5,6 +5,7 @@
 #include "app/cli/pictures.hpp"
 #include "app/cli/run_scene.hpp"
 #include "app/cli/source_options.hpp"
+#include "editor/editor_picture.hpp"
 #include "fascicle/io/run_reader.hpp"
 
 #include <cmath>
@@ -24,6 +25,7 @@ struct RenderOptions {
     std::string out;
     std::string view;
     std::string colour = "anatomy";
+    bool ui = false;
     bool quiet = false;
 };
 
@@ -46,14 +48,15 @@ PictureOptions picture_options(const RenderOptions& options) {
     return picture;
 }
 
-/// Frames 0 to `frame` of the source; the frame is the last.
-RecordingPtr simulate_up_to(const RenderOptions& options) {
+/// Frames 0 to `frame` of the source, or all of them.
+RecordingPtr simulate(const RenderOptions& options, bool all) {
     LoadedScene loaded = load(options.source, options.solve);
     int& last = loaded.scene.timeline.last_frame;
     if (options.frame > last)
         throw_error("--frame", "got " + std::to_string(options.frame), "0 to " + std::to_string(last),
                     ErrorKind::usage);
-    last = options.frame;
+    if (!all)
+        last = options.frame;
     ProgressDisplay progress = ProgressDisplay::for_user(options.quiet);
     RecordingPtr recording = run_scene(std::make_shared<const Scene>(std::move(loaded.scene)),
                                        {thread_count(options.solve), loaded.notes}, progress,
@@ -64,15 +67,41 @@ RecordingPtr simulate_up_to(const RenderOptions& options) {
 }
 
 /// Rest and one frame of a folder of a run; the frame is the last.
-RecordingPtr read_frames(const RenderOptions& options) {
-    const RunReader reader(options.run);
+RecordingPtr read_frames(const RunReader& reader, int frame) {
     auto recording = std::make_shared<Recording>(reader.scene());
     recording->set_attachments(reader.attachments());
     recording->append(reader.read_frame(0));
-    if (options.frame != 0)
-        recording->append(reader.read_frame(options.frame));
+    if (frame != 0)
+        recording->append(reader.read_frame(frame));
     recording->finish(RunState::finished);
     return recording;
+}
+
+void draw_viewport(const RenderOptions& options, const PictureOptions& picture) {
+    const RecordingPtr recording =
+        options.run.empty() ? simulate(options, false) : read_frames(RunReader(options.run), options.frame);
+    Pictures pictures(*recording, picture);
+    write_picture(options.out, pictures.draw(recording->frame_count() - 1));
+}
+
+/// The editor shows plots over the whole run: all frames are needed.
+void draw_editor(const RenderOptions& options, const PictureOptions& picture) {
+    RecordingPtr recording;
+    if (options.run.empty()) {
+        recording = simulate(options, true);
+    } else {
+        const RunReader reader(options.run);
+        reader.read_frame(options.frame); // tells when there is no such frame
+        if (reader.frames().back() + 1 != static_cast<int>(reader.frames().size()))
+            throw_error(options.run, "the editor shows a run with all of its frames", "a run without --every",
+                        ErrorKind::usage);
+        recording = reader.read_recording();
+    }
+    editor::EditorPictureOptions look;
+    look.width = picture.width;
+    look.height = picture.height;
+    look.strain = picture.strain;
+    write_picture(options.out, editor::render_editor_picture(recording, options.frame, look));
 }
 
 int render(const RenderOptions& options) {
@@ -81,10 +110,10 @@ int render(const RenderOptions& options) {
     if (!options.run.empty() && options.source.given)
         throw_error("render", "got the run '" + options.run + "' and a source", "one of the two",
                     ErrorKind::usage);
+    if (options.ui && !options.view.empty())
+        throw_error("--view", "cannot go with --ui", "one of the two", ErrorKind::usage);
     const PictureOptions picture = picture_options(options);
-    const RecordingPtr recording = options.run.empty() ? simulate_up_to(options) : read_frames(options);
-    Pictures pictures(*recording, picture);
-    write_picture(options.out, pictures.draw(recording->frame_count() - 1));
+    options.ui ? draw_editor(options, picture) : draw_viewport(options, picture);
     return 0;
 }
 
@@ -101,6 +130,7 @@ std::function<int()> add_render(CLI::App& app) {
                "Side to look from (default: where most muscle is seen)");
     add_choice(app, "--colour", options->colour, {"anatomy", "strain"},
                "What colours show (default: anatomy)");
+    app.add_flag("--ui", options->ui, "The whole editor instead of the viewport alone");
     add_solve_options(app, options->solve);
     app.add_flag("--quiet", options->quiet, "No progress");
     return [options] { return render(*options); };
