@@ -1,4 +1,5 @@
 """The command line itself: help, version, the parameter page, and every way to get it wrong."""
+import re
 import subprocess
 import unittest
 
@@ -21,6 +22,15 @@ class HelpTest(ProgramTest):
         page = (SOURCE_DIR / "docs" / "parameters.md").read_text()
         self.assertEqual(self.check_done("parameters", "--markdown"), page,
                          "run: fascicle parameters --markdown > docs/parameters.md")
+
+    def test_every_command_and_option_is_in_the_manual(self):
+        manual = (SOURCE_DIR / "docs" / "cli.md").read_text()
+        commands = re.findall(r"^  ([a-z]+)  ", self.check_done("--help").split("Subcommands:")[1], re.MULTILINE)
+        self.assertIn("simulate", commands)
+        for command in commands:
+            self.assertIn(f"fascicle {command}", manual)
+            for option in re.findall(r"^  (?:-h,)?(--[a-z-]+)", self.check_done(command, "--help"), re.MULTILINE):
+                self.assertIn(option, manual, command)
 
     def test_plain_table_has_a_line_for_every_row_of_the_page(self):
         lines = self.check_done("parameters").splitlines()

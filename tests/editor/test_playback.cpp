@@ -39,7 +39,8 @@ TEST_CASE("Playing waits for frames that come, loops or stops at the end", "[edi
     CHECK_FALSE(p.playing);
 }
 
-TEST_CASE("A shorter timeline pulls the playhead in, and without frames nothing moves", "[editor][playback]") {
+TEST_CASE("A shorter timeline pulls the playhead in, and without frames nothing moves",
+          "[editor][playback]") {
     Playback p;
     p.position = 80;
     advance(p, 0.1, 0.1, 0, 50, false);

@@ -39,9 +39,12 @@ CLI::Option* add_reader(CLI::App& app, const std::string& name, const std::strin
             read(text);
         }
     };
-    return app.add_option_function<std::vector<std::string>>(name, take, meaning)
-        ->type_name(type)
-        ->allow_extra_args(false);
+    // Always a list, so that an option given twice comes here; only an endless one gets dots in the help.
+    const int most_given = 1000;
+    CLI::Option* option = app.add_option_function<std::vector<std::string>>(name, take, meaning)
+                              ->type_name(type)
+                              ->allow_extra_args(false);
+    return repeatable ? option : option->expected(1, most_given);
 }
 
 CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& target, const std::string& type,
