@@ -36,6 +36,7 @@ class RenderTest(ProgramTest):
         from_run = self.render("run.png", run, *size)
         self.assertEqual(png_size(from_run), (320, 200))
         self.assertEqual(from_run.read_bytes(), self.render("source.png", *self.source, *size).read_bytes())
+        self.assertEqual(from_run.read_bytes(), self.render("operand_last.png", *size, run).read_bytes())
         rest = self.render("rest.png", run, "--size", "320x200", "--view", "right")
         self.assertNotEqual(from_run.read_bytes(), rest.read_bytes())
 

@@ -39,8 +39,9 @@ CLI::Option* add_reader(CLI::App& app, const std::string& name, const std::strin
             read(text);
         }
     };
-    // Always a list, so that an option given twice comes here; only an endless one gets dots in the help.
-    const int most_given = 1000;
+    // Always a list, so that an option given twice comes here. Only an endless list gets dots in the help, and only a
+    // nearly endless one takes a single value per occurrence: the next word may be an operand.
+    const int most_given = CLI::detail::expected_max_vector_size - 1;
     CLI::Option* option = app.add_option_function<std::vector<std::string>>(name, take, meaning)
                               ->type_name(type)
                               ->allow_extra_args(false);
