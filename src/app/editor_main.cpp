@@ -10,7 +10,9 @@
 #include "render/imgui_renderer.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
+#include <imgui.h>
 #include <iostream>
 #include <thread>
 
@@ -25,6 +27,8 @@ struct EditorCommandLine {
     double scale = 0; ///< 0: the monitor's
     int quit_after = 0;
 };
+
+constexpr double awake_seconds = 0.8, asleep_seconds = 1.0, text_cursor_seconds = 0.25;
 
 double seconds_now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -48,16 +52,22 @@ LoadedScene load_scene_to_edit(EditorCommandLine& options) {
 /// One picture after the other; sleeps while nothing changes.
 void run_window(Window& window, editor::Editor& program, render::ImguiRenderer& renderer, int quit_after) {
     bool full_screen = false;
-    int still_frames = 0; // after the last activity a few more, until everything has settled
-    double last = seconds_now();
+    double last = seconds_now(), last_activity = last;
     for (int frame = 0; !window.wants_close() && !program.state().wants_quit; ++frame) {
         if (quit_after > 0 && frame >= quit_after)
             break;
-        window.poll();
-        if (window.take_activity() || program.busy() || quit_after > 0)
-            still_frames = 0;
-        else if (++still_frames > 3 && !window.wait(0.5))
+        std::optional<double> next = quit_after > 0 ? 0 : program.next_redraw();
+        if (ImGui::GetIO().WantTextInput)
+            next = std::min(next.value_or(1), text_cursor_seconds);
+        // After the last move of the hand tooltips may still come.
+        if (seconds_now() - last_activity < awake_seconds)
+            next = std::min(next.value_or(1), 1.0 / 30);
+        const double pause = next ? last + *next - seconds_now() : asleep_seconds;
+        const bool happened = pause > 0 ? window.wait(pause) : (window.poll(), false);
+        if (!happened && !next)
             continue;
+        if (window.take_activity())
+            last_activity = seconds_now();
         int width = 0, height = 0;
         window.framebuffer_size(width, height);
         if (width < 1 || height < 1) { // minimised

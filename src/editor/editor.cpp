@@ -74,9 +74,18 @@ void Editor::run(Command command) {
     run_command(c, command);
 }
 
-bool Editor::busy() const {
-    return !input_.empty() || state_.playback.playing || runs_.running() || runs_.outdated() ||
-           mesh_dialog_.is_open() || (view_ != nullptr && view_->refinement_pending()) || metrics_.behind();
+std::optional<double> Editor::next_redraw() const {
+    if (!input_.empty())
+        return 0;
+    const bool frames_to_play = state_.playback.playhead() + 1 < runs_.available_count() || !runs_.running();
+    if (state_.playback.playing && frames_to_play)
+        return 1.0 / 60;
+    // The solver needs the processor more than a progress bar does.
+    if (runs_.running() || runs_.outdated() || mesh_dialog_.is_open() || metrics_.behind())
+        return 1.0 / 25;
+    if (view_ != nullptr && view_->refinement_pending())
+        return SceneView::refine_after_seconds / 2;
+    return std::nullopt;
 }
 
 void Editor::handle_keys() {

@@ -41,8 +41,9 @@ public:
     /// Takes the next input event and lays out one frame of width x height pixels, `seconds` after the one before;
     /// ImGui::GetDrawData() is then to be drawn.
     void draw_frame(float width, float height, double seconds);
-    /// Whether the next frame will look different without any input: something plays, runs or is being read.
-    bool busy() const;
+    /// Seconds until a frame without any input is worth drawing: none while input waits, a monitor's frame while
+    /// playing, more while something is computed or read in the background, nothing when all rests.
+    std::optional<double> next_redraw() const;
 
     EditorState& state() { return state_; }
     Document& document() { return document_; }

@@ -95,7 +95,10 @@ unsigned SceneView::texture(const EditorContext& context, int width, int height)
                   height,
                   state.scale};
     const bool unchanged = has_picture_ && same(key, key_);
-    if (unchanged && (shows_fine_ || !refinement_pending_))
+    if (!unchanged)
+        changed_ = context.now;
+    const bool refine = refinement_pending_ && context.now - changed_ >= refine_after_seconds;
+    if (unchanged && !refine)
         return (shows_fine_ ? fine_ : plain_)->texture();
 
     // While things move a slow machine gets single samples; as soon as they stop, the fine picture.

@@ -20,6 +20,8 @@ public:
 
     /// GL texture with the picture, rows from the bottom, for the next frame's use. width, height >= 1 pixels.
     unsigned texture(const EditorContext& context, int width, int height);
+    /// A picture that has not changed for this long is drawn again, supersampled.
+    static constexpr double refine_after_seconds = 0.25;
     /// Whether the last picture should be drawn again, better, now that nothing moves.
     bool refinement_pending() const { return refinement_pending_; }
     /// A picture of its own, not of the screen's size.
@@ -49,6 +51,7 @@ private:
     Key key_;
     bool best_quality_;
     bool has_picture_ = false, refinement_pending_ = false, shows_fine_ = false;
+    double changed_ = 0;      ///< when the picture last changed
     double fine_seconds_ = 0; ///< what a supersampled picture cost lately
     int drawn_ = 0;
 };

@@ -62,7 +62,7 @@ RecordingPtr small_recording(int count, const Scene& scene) {
     return run.recording();
 }
 
-Driver::Driver(Scene scene, float width, float height, float scale)
+Driver::Driver(Scene scene, float width, float height, float scale, bool still)
     : width_(width), height_(height), host_(scale) {
     const auto start = [this](ScenePtr head) -> std::unique_ptr<ed::Run> {
         auto run = std::make_unique<HandRun>(std::move(head));
@@ -70,8 +70,8 @@ Driver::Driver(Scene scene, float width, float height, float scale)
         ++runs_started_;
         return run;
     };
-    editor_ =
-        std::make_unique<ed::Editor>(host_, Document(std::move(scene)), start, ed::EditorOptions{true, true});
+    editor_ = std::make_unique<ed::Editor>(host_, Document(std::move(scene)), start,
+                                           ed::EditorOptions{true, still});
     ed::set_item_recorder(&recorder_);
 }
 

@@ -34,7 +34,8 @@ RecordingPtr small_recording(int count = 61, const Scene& scene = small_scene())
 
 class Driver {
 public:
-    explicit Driver(Scene scene = small_scene(), float width = 1280, float height = 800, float scale = 1);
+    explicit Driver(Scene scene = small_scene(), float width = 1280, float height = 800, float scale = 1,
+                    bool still = true);
     ~Driver();
 
     void frame(int count = 1);

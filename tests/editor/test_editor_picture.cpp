@@ -72,6 +72,25 @@ TEST_CASE("The view is drawn again only when something changed", "[editor][pictu
     CHECK(d.editor().view()->drawn() > before + 2);
 }
 
+TEST_CASE("A slow picture is refined once nothing moves", "[editor][picture]") {
+    const render::OsmesaContext gl;
+    test::Driver d(test::small_scene(), 1280, 800, 1, false);
+    d.editor().use_gl();
+    d.frame(3);
+    d.run()->compute(61);
+    d.run()->finish();
+    d.frame(60);
+    CHECK_FALSE(d.editor().view()->refinement_pending());
+    const int before = d.editor().view()->drawn();
+    d.frame(30);
+    CHECK(d.editor().view()->drawn() == before);
+    CHECK_FALSE(d.editor().next_redraw()); // all rests
+    d.key(key_w);
+    d.frame(static_cast<int>(SceneView::refine_after_seconds * 60) + 3);
+    CHECK_FALSE(d.editor().view()->refinement_pending());
+    CHECK(d.editor().view()->drawn() <= before + 2); // at most a quick one and a fine one
+}
+
 TEST_CASE("F12 writes the view as a picture", "[editor][picture]") {
     const render::OsmesaContext gl;
     const test::TempDir folder;

@@ -373,6 +373,23 @@ TEST_CASE("Stale frames carry a badge", "[editor][ui]") {
     CHECK_FALSE(d.has("viewport/badge")); // the playhead is at frame 0, which is new
 }
 
+TEST_CASE("Frames are drawn as often as there is something to see", "[editor][ui]") {
+    Driver d;
+    d.frame(3);
+    REQUIRE(d.editor().next_redraw());
+    CHECK(*d.editor().next_redraw() > 1.0 / 60); // a run comes along: now and then is enough
+    d.editor().input().mouse_move(5, 5);
+    CHECK(*d.editor().next_redraw() == 0);
+    d.run()->compute(61);
+    d.run()->finish();
+    d.editor().metrics().finish();
+    d.frame(3);
+    d.editor().metrics().finish();
+    CHECK_FALSE(d.editor().next_redraw());
+    d.key(key_space);
+    CHECK(*d.editor().next_redraw() == Approx(1.0 / 60));
+}
+
 TEST_CASE("Borders can be dragged, and the interface scaled", "[editor][ui]") {
     Driver d;
     d.frame(3);

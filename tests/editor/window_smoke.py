@@ -96,7 +96,7 @@ def no_display(editor, folder):
 
 
 def main():
-    editor = sys.argv[1]
+    editor = str(Path(sys.argv[1]).resolve())
     with tempfile.TemporaryDirectory() as folder:
         no_display(editor, folder)
         for tool in ("Xvfb", "xdotool"):

@@ -107,7 +107,7 @@ void MeshDialog::draw(EditorContext& context) {
         return;
     }
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const float foot = ImGui::GetFrameHeight() + context.px(14),
+    const float foot = ImGui::GetFrameHeight() + context.px(10) + 2 * ImGui::GetStyle().ItemSpacing.y,
                 right = std::min(room.x * 0.45f, context.px(330));
     const float height = room.y - foot;
     ImGui::BeginGroup();
@@ -193,6 +193,7 @@ void MeshDialog::draw_choices(EditorContext& context) {
     }
     ImGui::Dummy({1, context.px(4)});
     ImGui::PushStyleColor(ImGuiCol_Text, context.theme.text_dim);
+    ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Coordinates times");
     ImGui::PopStyleColor();
     for (const double factor : {0.001, 1.0, 1000.0}) {

@@ -28,7 +28,8 @@ void draw_group(const EditorContext& context, const char* group) {
     for (const KeyBinding& row : key_bindings()) {
         if (std::string_view(row.group) != group || row.chords[0].key == key_none)
             continue;
-        const std::string second = to_text(row.chords[1]);
+        // Shift+= is only how some keyboards write the plus sign.
+        const std::string second = row.chords[1].key == row.chords[0].key ? "" : to_text(row.chords[1]);
         draw_line(context, to_text(row.chords[0]) + (second.empty() ? "" : ", " + second), row.label);
     }
 }
@@ -51,7 +52,7 @@ void draw_shortcut_sheet(EditorContext& context) {
         return;
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowSize(
-        {std::min(window.x * 0.94f, context.px(920)), std::min(window.y * 0.92f, context.px(560))});
+        {std::min(window.x * 0.94f, context.px(920)), std::min(window.y * 0.92f, context.px(620))});
     ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowFocus();
     ImGui::PushStyleColor(ImGuiCol_WindowBg, context.theme.header);
