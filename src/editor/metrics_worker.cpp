@@ -27,11 +27,13 @@ void MetricsWorker::follow(const RecordingPtr& recording) {
         }
         current_ = {};
         followed_ = recording;
+        failed_ = false;
         if (recording != nullptr)
             current_.scene = recording->scene_ptr();
         const std::lock_guard lock(mutex_);
         wanted_ = recording;
         fresh_.clear();
+        error_.clear();
         measured_ = 0;
         changed_.notify_all();
     }
@@ -43,10 +45,11 @@ void MetricsWorker::take() {
     for (auto& row : fresh_)
         current_.rows.push_back(std::move(row));
     fresh_.clear();
+    failed_ = failed_ || !error_.empty();
 }
 
 void MetricsWorker::finish() {
-    if (followed_ == nullptr)
+    if (followed_ == nullptr || failed_)
         return;
     const int wanted = followed_->frame_count();
     {

@@ -34,8 +34,10 @@ public:
     /// Values of earlier runs that reached at least one frame, newest first.
     const std::deque<MetricValues>& earlier() const { return earlier_; }
     /// Whether frames of the recording wait to be measured or taken over.
-    bool behind() const { return followed_ != nullptr && current_.frame_count() < followed_->frame_count(); }
-    /// Waits until every frame that the recording has now is measured, and takes them over.
+    bool behind() const {
+        return followed_ != nullptr && !failed_ && current_.frame_count() < followed_->frame_count();
+    }
+    /// Waits until every frame that the recording has now is measured, or measuring has failed, and takes them over.
     void finish();
     /// The first error of measuring since the last call, empty when there was none.
     std::string take_error();
@@ -47,6 +49,7 @@ private:
     MetricValues current_;
     std::deque<MetricValues> earlier_;
     RecordingPtr followed_;
+    bool failed_ = false; ///< measuring the followed recording ended with an error
 
     std::mutex mutex_;
     std::condition_variable changed_;
