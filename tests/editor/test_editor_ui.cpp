@@ -4,6 +4,9 @@
 #include "support/temp_dir.hpp"
 
 #include <catch2/catch.hpp>
+#include <chrono>
+#include <functional>
+#include <thread>
 
 using namespace fascicle;
 using namespace fascicle::editor;
@@ -311,6 +314,18 @@ TEST_CASE("Keys belong to a text field while it has the focus", "[editor][ui]") 
     CHECK(d.runs_started() == 1); // a name changes no result
 }
 
+namespace {
+
+/// Files are read on a thread of their own: frames go by until it has come to something, for ten seconds at most.
+void frames_until(Driver& d, const std::function<bool()>& there) {
+    for (int i = 0; i < 5000 && !there(); ++i) {
+        d.frame();
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+}
+
+} // namespace
+
 TEST_CASE("A dropped mesh is previewed and added as what the user says", "[editor][ui]") {
     const test::TempDir folder;
     const auto file = folder.path() / "patella.obj";
@@ -318,8 +333,7 @@ TEST_CASE("A dropped mesh is previewed and added as what the user says", "[edito
     Driver d;
     d.frame(3);
     d.editor().drop_files({file});
-    for (int i = 0; i < 200 && !d.has("mesh/bone"); ++i)
-        d.frame();
+    frames_until(d, [&] { return d.has("mesh/bone"); });
     d.frame(3); // the dialog has its place now
     d.click("mesh/bone");
     d.click("mesh/moving");
@@ -333,7 +347,7 @@ TEST_CASE("A dropped mesh is previewed and added as what the user says", "[edito
     CHECK(d.has("tree/patella"));
 
     d.editor().drop_files({folder.path() / "missing.obj"});
-    d.frame(30);
+    frames_until(d, [&] { return d.editor().log().unseen_errors() > 0; });
     CHECK(d.editor().log().unseen_errors() > 0);
     d.click("mesh/cancel");
     CHECK(d.document().scene().bones.size() == 3);
