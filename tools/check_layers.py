@@ -19,6 +19,7 @@ ALLOWED = {
     "metrics": ["base", "geometry", "motion", "anatomy", "scene", "solver/parameters.hpp"],
     "io": ["base", "geometry", "motion", "anatomy", "scene", "metrics", "solver/parameters.hpp"],
     "document": ["base", "geometry", "motion", "anatomy", "scene", "io", "solver/parameters.hpp"],
+    "bench": CORE + ["simulation", "metrics", "io"],
     "study": CORE + ["simulation", "metrics"],
     "render": ["base"],
     "view": ["base", "geometry", "motion", "anatomy", "scene", "metrics", "render", "solver/parameters.hpp"],
@@ -31,8 +32,9 @@ ONLY_IN = [
     (re.compile(r"^(GLFW/|GL/)"), {"render", "editor", "app"}),
     (re.compile(r"^(imgui|misc/cpp/imgui)"), {"render", "editor", "app"}),
     (re.compile(r"^glm/"), {"view", "render", "editor", "app"}),
-    (re.compile(r"^nlohmann/"), {"io", "document", "app"}),
+    (re.compile(r"^nlohmann/"), {"io", "document", "bench", "app"}),
     (re.compile(r"^tbb/"), {"base"}),
+    (re.compile(r"^bullet/|^bt[A-Z]|^BulletSoftBody/"), {"bench"}),
     (re.compile(r"^CLI/"), {"app"}),
     (re.compile(r"^(tiny_obj_loader|stb_)"), {"io", "render"}),
 ]

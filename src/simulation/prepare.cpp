@@ -1,4 +1,4 @@
-#include "simulation/prepare.hpp"
+#include "fascicle/simulation/prepare.hpp"
 
 #include "fascicle/base/parallel.hpp"
 #include "fascicle/geometry/bvh.hpp"
@@ -9,6 +9,7 @@
 #include "simulation/resolve_attachments.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 
@@ -17,6 +18,21 @@ namespace fascicle {
 namespace {
 
 constexpr double sweep_clearance_mm = 0.5;
+
+/// Hands the time since the last call to a stage.
+class Lap {
+public:
+    explicit Lap(std::map<std::string, double>& seconds) : seconds_(seconds) {}
+    void end(const char* stage) {
+        const auto now = std::chrono::steady_clock::now();
+        seconds_[stage] += std::chrono::duration<double>(now - start_).count();
+        start_ = now;
+    }
+
+private:
+    std::map<std::string, double>& seconds_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
 
 std::string millimetres(double length) {
     char text[32];
@@ -31,7 +47,7 @@ struct PreparedBones {
 };
 
 PreparedBones prepare_bones(const Scene& scene, bool grids, int threads, const JobControl& control,
-                            std::vector<std::string>& notes) {
+                            std::vector<std::string>& notes, Lap& lap) {
     PreparedBones bones;
     bones.trees.reserve(scene.bones.size());
     for (const Bone& bone : scene.bones) {
@@ -46,6 +62,7 @@ PreparedBones prepare_bones(const Scene& scene, bool grids, int threads, const J
                                  },
                                  moves});
     }
+    lap.end("trees");
     const double unit_mm = millimetres_per_unit(scene.unit);
     for (std::size_t b = 0; b < scene.bones.size() && grids; ++b) {
         DistanceGridOptions options;
@@ -63,6 +80,7 @@ PreparedBones prepare_bones(const Scene& scene, bool grids, int threads, const J
                             millimetres(bones.grids.back()->spacing() * unit_mm) + " instead of the wanted " +
                             millimetres(options.spacing * unit_mm) + ", to stay within memory");
     }
+    lap.end("grids");
     return bones;
 }
 
@@ -146,14 +164,16 @@ PreparedScene prepare_scene(const Scene& scene, int threads, const JobControl& c
     if (scene.muscles.empty())
         throw_error(scene.name, "the scene has no muscle", "at least one muscle");
     control.checkpoint("prepare", 0.0);
+    Lap lap(prepared.stage_seconds);
     const PreparedBones bones =
-        prepare_bones(scene, prepared.method->needs_grid, threads, control, prepared.notes);
+        prepare_bones(scene, prepared.method->needs_grid, threads, control, prepared.notes, lap);
     for (std::size_t m = 0; m < scene.muscles.size(); ++m) {
         control.checkpoint("prepare", 0.8 + 0.2 * double(m) / double(scene.muscles.size()));
         prepared.muscles.push_back(
             prepare_muscle(scene, scene.muscles[m], *prepared.method, bones, prepared.notes));
         prepared.muscles.back().problem.threads = scene.muscles.size() == 1 ? threads : 1;
     }
+    lap.end("muscles");
     control.checkpoint("prepare", 1.0);
     return prepared;
 }

@@ -1,7 +1,7 @@
 #include "fascicle/simulation/simulation.hpp"
 
-#include "fascicle/base/parallel.hpp"
-#include "simulation/prepare.hpp"
+#include "fascicle/simulation/prepare.hpp"
+#include "fascicle/simulation/scene_solver.hpp"
 
 #include <chrono>
 
@@ -23,13 +23,12 @@ public:
     void run() {
         const auto start = Clock::now();
         PreparedScene prepared = prepare_scene(scene_, options_.threads, control_);
-        for (PreparedMuscle& muscle : prepared.muscles)
-            solvers_.push_back(prepared.method->make(muscle.problem));
+        solver_ = std::make_unique<SceneSolver>(scene_, prepared, options_.threads);
         publish_attachments(prepared);
         for (std::string& note : prepared.notes)
             recording_.add_note(std::move(note));
         recording_.set_prepare_seconds(seconds_since(start));
-        append_frame(0, poses_at(0), {});
+        append_frame(0, bone_poses(scene_, 0), {});
         for (int frame = 1; frame <= scene_.timeline.last_frame; ++frame) {
             control_.checkpoint("solve", double(frame - 1) / scene_.timeline.last_frame);
             solve_frame(frame);
@@ -38,20 +37,10 @@ public:
     }
 
 private:
-    std::vector<Pose> poses_at(int frame) const {
-        std::vector<Pose> poses;
-        for (std::size_t b = 0; b < scene_.bones.size(); ++b)
-            poses.push_back(scene_.timeline.bone_pose(static_cast<int>(b), frame));
-        return poses;
-    }
-
     void solve_frame(int frame) {
-        const std::vector<Pose> from = poses_at(frame - 1), to = poses_at(frame);
+        const std::vector<Pose> from = bone_poses(scene_, frame - 1), to = bone_poses(scene_, frame);
         const auto start = Clock::now();
-        parallel_for(options_.threads, solvers_.size(), 1, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t m = begin; m < end; ++m)
-                solvers_[m]->advance(from, to);
-        });
+        solver_->advance(from, to);
         FrameReport report;
         report.solve_seconds = seconds_since(start);
         append_frame(frame, to, std::move(report));
@@ -62,16 +51,9 @@ private:
         frame->index = index;
         frame->angle_rad = scene_.timeline.angle_rad(index);
         frame->bone_poses = poses;
-        StepReport total;
-        for (const auto& solver : solvers_) {
-            frame->muscle_positions.push_back(std::make_shared<Points>(solver->positions()));
-            const StepReport& part = solver->report();
-            total.contacts += part.contacts;
-            total.unresolved += part.unresolved;
-            total.non_finite += part.non_finite;
-            for (const auto& [stage, seconds] : part.stage_seconds)
-                total.stage_seconds[stage] += seconds;
-        }
+        for (std::size_t m = 0; m < solver_->muscle_count(); ++m)
+            frame->muscle_positions.push_back(std::make_shared<Points>(solver_->muscle(m).positions()));
+        StepReport total = solver_->report();
         report.contacts = total.contacts - before_.contacts;
         report.unresolved = total.unresolved - before_.unresolved;
         report.non_finite = total.non_finite - before_.non_finite;
@@ -85,11 +67,11 @@ private:
     /// Attachments in force: the method has the last word (classic fixes what collides at the start).
     void publish_attachments(const PreparedScene& prepared) {
         std::vector<std::vector<Attachment>> all;
-        for (std::size_t m = 0; m < solvers_.size(); ++m) {
+        for (std::size_t m = 0; m < solver_->muscle_count(); ++m) {
             all.push_back(prepared.muscles[m].attachments);
             if (!all.back().empty())
                 continue;
-            const std::vector<int>& body = solvers_[m]->body_of_vertex();
+            const std::vector<int>& body = solver_->muscle(m).body_of_vertex();
             for (std::size_t b = 0; b < scene_.bones.size(); ++b) {
                 Attachment attachment{AttachmentKind::unknown, static_cast<int>(b), {}};
                 for (std::size_t i = 0; i < body.size(); ++i)
@@ -110,7 +92,7 @@ private:
     const Scene& scene_;
     const SimulationOptions& options_;
     const JobControl& control_;
-    std::vector<std::unique_ptr<SoftBodySolver>> solvers_;
+    std::unique_ptr<SceneSolver> solver_;
     StepReport before_;
 };
 

@@ -2,6 +2,7 @@
 // Who touches whom in a triangle list: edges, dihedrals, borders, neighbours, components. Built once, never
 // changes.
 
+#include "fascicle/base/bytes_of.hpp"
 #include "fascicle/base/types.hpp"
 
 #include <span>
@@ -62,6 +63,13 @@ public:
     int component_count() const { return component_count_; }
     /// Component of a vertex, or -1 when no triangle uses it.
     int vertex_component(int vertex) const { return vertex_component_[static_cast<std::size_t>(vertex)]; }
+
+    /// Memory of all lists.
+    std::size_t bytes() const {
+        return bytes_of(edges_, edge_starts_, edge_half_edges_, dihedrals_, boundary_edges_,
+                        nonmanifold_edges_, inconsistent_edges_, triangle_starts_, vertex_triangles_,
+                        neighbour_starts_, vertex_neighbours_, vertex_component_);
+    }
 
 private:
     static std::span<const int> row(const std::vector<int>& starts, const std::vector<int>& values, int i) {

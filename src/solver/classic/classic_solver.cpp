@@ -1,6 +1,7 @@
 #include "solver/classic/classic_solver.hpp"
 
 #include "fascicle/base/assert.hpp"
+#include "fascicle/base/bytes_of.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -97,6 +98,12 @@ void ClassicSolver::advance(std::span<const Pose> from, std::span<const Pose> to
     move_solids(from, to);
     for (int i = 0; i < substeps_; ++i)
         substep();
+}
+
+std::size_t ClassicSolver::state_bytes() const {
+    return bytes_of(rest_, state_.position, state_.candidate, state_.velocity, state_.force,
+                    state_.inverse_mass, state_.body, edges_, pairs_) +
+           used_.capacity() / 8 + volume_.bytes();
 }
 
 // Solids jump to their new place once a frame, and what is fixed to them with them (notes 1.3). The program

@@ -35,6 +35,7 @@ public:
     const Points& positions() const override { return state_.position; }
     const StepReport& report() const override { return report_; }
     const std::vector<int>& body_of_vertex() const override { return state_.body; }
+    std::size_t state_bytes() const override;
 
     /// Outer forces, one per vertex, held until changed; zero at first.
     Points& forces() { return state_.force; }

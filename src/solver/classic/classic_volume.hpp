@@ -2,6 +2,7 @@
 // Enclosed volume: C = V - pressure V0 (Mueller et al. 2007; paper eq. 3), one projection for the whole
 // surface.
 
+#include "fascicle/base/bytes_of.hpp"
 #include "solver/classic/classic_state.hpp"
 
 namespace fascicle::classic {
@@ -16,6 +17,7 @@ public:
     VolumeConstraint(const Points& rest, std::vector<Tri> triangles, double pressure, bool meant);
     void project(ClassicState& state);
     double rest_volume() const { return rest_volume_; }
+    std::size_t bytes() const { return bytes_of(triangles_, gradient_); }
 
 private:
     /// Volume of the candidates; fills gradient_ with 6 grad V.

@@ -3,6 +3,7 @@
 // per substep. Sources: Bridson, Marino, Fedkiw 2003; Grinspun et al. 2003 (angle and gradients:
 // geometry/dihedral_angle.hpp).
 
+#include "fascicle/base/bytes_of.hpp"
 #include "fascicle/geometry/mesh_topology.hpp"
 
 namespace fascicle::solver {
@@ -25,6 +26,7 @@ public:
     DihedralConstraints(const Points& rest, const std::vector<Dihedral>& dihedrals, double stiffness);
 
     std::size_t size() const { return items_.size(); }
+    std::size_t bytes() const { return bytes_of(items_); }
     const std::vector<DihedralConstraint>& items() const { return items_; }
 
     /// One Gauss-Seidel sweep. Pairs that are degenerate now (a sliver: |N|^2 < 1e-4 l^4) are skipped and

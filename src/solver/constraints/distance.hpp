@@ -2,6 +2,7 @@
 // Distance constraints C = |xa - xb| - d, XPBD with one sweep per substep.
 // Sources: Mueller et al. 2007 (projection), Macklin et al. 2016 (compliance).
 
+#include "fascicle/base/bytes_of.hpp"
 #include "fascicle/base/types.hpp"
 
 namespace fascicle::solver {
@@ -25,6 +26,7 @@ class DistanceConstraints {
 public:
     void add(const DistanceConstraint& constraint);
     std::size_t size() const { return items_.size(); }
+    std::size_t bytes() const { return bytes_of(items_); }
 
     /// One Gauss-Seidel sweep in the order added: dx_i = w_i grad_i dlambda,
     /// dlambda = -C / (wa + wb + alpha / h^2), the multiplier starting from zero in every substep h (s).

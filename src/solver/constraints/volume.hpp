@@ -3,6 +3,7 @@
 // V and its gradient: geometry/volume.hpp.
 // Source: Mueller et al. 2007, with the factor 1/6 that eq. 3 of Cervenka & Kohout 2020 leaves out.
 
+#include "fascicle/base/bytes_of.hpp"
 #include "fascicle/base/types.hpp"
 
 namespace fascicle::solver {
@@ -16,6 +17,7 @@ public:
     /// Signed volume of x, scene units cubed; fills gradient() as a side product.
     double evaluate(const Points& x);
     const Points& gradient() const { return gradient_; }
+    std::size_t bytes() const { return bytes_of(triangles_, gradient_); }
 
     /// x += -w g C / sum w |g|^2, g = grad C. Does nothing when no free point has a gradient.
     /// blocked: V unit normals of contacts that were active, zero elsewhere, or empty. Where the correction would push a

@@ -1,6 +1,7 @@
 #include "solver/xpbd/xpbd_solver.hpp"
 
 #include "fascicle/base/assert.hpp"
+#include "fascicle/base/bytes_of.hpp"
 #include "fascicle/base/parallel.hpp"
 #include "solver/compliance.hpp"
 #include "solver/constraints/dihedral.hpp"
@@ -24,6 +25,7 @@ public:
     const Points& positions() const override { return x_; }
     const StepReport& report() const override { return report_; }
     const std::vector<int>& body_of_vertex() const override { return problem_.body_of_vertex; }
+    std::size_t state_bytes() const override;
 
 private:
     void substep(std::span<const Pose> from, std::span<const Pose> to, double s0, double s1);
@@ -93,6 +95,12 @@ void XpbdSolver::advance(std::span<const Pose> from, std::span<const Pose> to) {
     FASCICLE_ASSERT(from.size() == solids_.size() && to.size() == solids_.size());
     for (int k = 0; k < substeps_; ++k)
         substep(from, to, double(k) / substeps_, double(k + 1) / substeps_);
+}
+
+std::size_t XpbdSolver::state_bytes() const {
+    return bytes_of(problem_.body_of_vertex, problem_.edge_softness, problem_.carry_weights, x_, before_,
+                    velocity_, carried_, inverse_mass_, touched_, contact_normals_) +
+           topology_.bytes() + edges_.bytes() + dihedrals_.bytes() + volume_.bytes();
 }
 
 void XpbdSolver::substep(std::span<const Pose> from, std::span<const Pose> to, double s0, double s1) {

@@ -16,6 +16,8 @@ struct PreparedScene {
     const SolverMethod* method = nullptr;
     std::vector<PreparedMuscle> muscles; ///< one per muscle of the scene
     std::vector<std::string> notes;
+    /// Seconds per stage: "trees" (search trees of the bones), "grids" (distance grids), "muscles" (attachments, fields).
+    std::map<std::string, double> stage_seconds;
 };
 
 /// Error when the scene has no muscle, a muscle encloses no volume, or its attachments leave no vertex free.

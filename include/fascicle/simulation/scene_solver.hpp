@@ -1,0 +1,31 @@
+#pragma once
+// The muscles of a prepared scene, advanced frame by frame: what a run solves, without recording anything.
+
+#include "fascicle/simulation/prepare.hpp"
+
+namespace fascicle {
+
+/// Pose of every bone of the scene at a frame, from its rest pose.
+std::vector<Pose> bone_poses(const Scene& scene, int frame);
+
+class SceneSolver {
+public:
+    /// Makes one solver per muscle, at rest. `prepared` is only read: it may serve several solvers. One muscle gets all
+    /// threads; several share them, a muscle each.
+    SceneSolver(const Scene& scene, const PreparedScene& prepared, int threads);
+
+    /// Advances all muscles by one frame; B poses each, one per bone, from rest.
+    void advance(std::span<const Pose> from, std::span<const Pose> to);
+
+    std::size_t muscle_count() const { return solvers_.size(); }
+    const SoftBodySolver& muscle(std::size_t m) const { return *solvers_[m]; }
+    /// Sums over the muscles.
+    StepReport report() const;
+    std::size_t state_bytes() const;
+
+private:
+    int threads_;
+    std::vector<std::unique_ptr<SoftBodySolver>> solvers_;
+};
+
+} // namespace fascicle

@@ -1,0 +1,51 @@
+#include "fascicle/simulation/scene_solver.hpp"
+
+#include "fascicle/base/assert.hpp"
+#include "fascicle/base/parallel.hpp"
+
+namespace fascicle {
+
+std::vector<Pose> bone_poses(const Scene& scene, int frame) {
+    std::vector<Pose> poses;
+    for (std::size_t b = 0; b < scene.bones.size(); ++b)
+        poses.push_back(scene.timeline.bone_pose(static_cast<int>(b), frame));
+    return poses;
+}
+
+SceneSolver::SceneSolver(const Scene& scene, const PreparedScene& prepared, int threads) : threads_(threads) {
+    FASCICLE_ASSERT(prepared.method != nullptr && prepared.muscles.size() == scene.muscles.size());
+    for (const PreparedMuscle& muscle : prepared.muscles) {
+        SoftBodyProblem problem = muscle.problem;
+        problem.threads = prepared.muscles.size() == 1 ? threads : 1;
+        solvers_.push_back(prepared.method->make(problem));
+    }
+}
+
+void SceneSolver::advance(std::span<const Pose> from, std::span<const Pose> to) {
+    parallel_for(threads_, solvers_.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t m = begin; m < end; ++m)
+            solvers_[m]->advance(from, to);
+    });
+}
+
+StepReport SceneSolver::report() const {
+    StepReport total;
+    for (const auto& solver : solvers_) {
+        const StepReport& part = solver->report();
+        total.contacts += part.contacts;
+        total.unresolved += part.unresolved;
+        total.non_finite += part.non_finite;
+        for (const auto& [stage, seconds] : part.stage_seconds)
+            total.stage_seconds[stage] += seconds;
+    }
+    return total;
+}
+
+std::size_t SceneSolver::state_bytes() const {
+    std::size_t bytes = 0;
+    for (const auto& solver : solvers_)
+        bytes += solver->state_bytes();
+    return bytes;
+}
+
+} // namespace fascicle
