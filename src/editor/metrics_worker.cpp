@@ -87,7 +87,7 @@ void MetricsWorker::work() {
         std::string error;
         try {
             if (engine == nullptr)
-                engine = std::make_unique<MetricsEngine>(recording->scene_ptr(), *recording->frame(0));
+                engine = std::make_unique<MetricsEngine>(*recording);
             row = engine->measure(*recording->frame(next));
         } catch (const std::exception& problem) {
             error = problem.what();

@@ -1,7 +1,9 @@
 #include "editor/driver.hpp"
 #include "editor/metrics_worker.hpp"
+#include "fascicle/simulation/simulation.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 using namespace fascicle;
 using namespace fascicle::editor;
@@ -18,7 +20,7 @@ TEST_CASE("Frames are measured as they come and agree with the engine", "[editor
     CHECK(worker.behind());
     worker.finish();
     REQUIRE(worker.current().frame_count() == 8);
-    MetricsEngine engine(run.recording()->scene_ptr(), *run.recording()->frame(0));
+    MetricsEngine engine(*run.recording());
     const int row = metric_index("volume_ratio");
     REQUIRE(row >= 0);
     for (int k = 0; k < 8; ++k) {
@@ -27,6 +29,31 @@ TEST_CASE("Frames are measured as they come and agree with the engine", "[editor
     }
     CHECK(worker.current().rows[7][0][std::size_t(row)] != 1.0);
     CHECK(metric_index("no such row") == -1);
+}
+
+TEST_CASE("The worker has every number that the command line writes, of attachments found by distance too",
+          "[editor][metrics]") {
+    Scene scene = test::small_scene();
+    scene.muscles[0].attachments.clear(); // found when the run is prepared: only the recording has them
+    scene.muscles[0].attach_automatically = true;
+    scene.parameters.set("attachment.distance_mm", 8);
+    scene.timeline.last_frame = 6;
+    const auto recording = std::make_shared<Recording>(std::make_shared<const Scene>(scene));
+    run_simulation(*recording, {1}, {});
+    REQUIRE(recording->attachments().at(0).size() == 2);
+    MetricsWorker worker;
+    worker.follow(recording);
+    worker.finish();
+    REQUIRE(worker.current().frame_count() == 7);
+    MetricsEngine engine(*recording, 2); // as in 'fascicle simulate'
+    for (int k = 0; k < 7; ++k) {
+        const auto expected = engine.measure(*recording->frame(k));
+        for (std::size_t r = 0; r < metric_table().size(); ++r) {
+            INFO("frame " << k << ", " << metric_table()[r].key);
+            CHECK(std::isfinite(expected[0][r]));
+            CHECK(worker.current().rows[std::size_t(k)][0][r] == expected[0][r]);
+        }
+    }
 }
 
 TEST_CASE("Values of earlier runs stay, newest first, capped", "[editor][metrics]") {
