@@ -1,9 +1,9 @@
 #include "fascicle/geometry/distance_grid.hpp"
 
+#include "distance_splat.hpp"
 #include "fascicle/base/assert.hpp"
 #include "fascicle/base/parallel.hpp"
 #include "fascicle/geometry/bounding_box.hpp"
-#include "fascicle/geometry/bvh.hpp"
 #include "grid_sign.hpp"
 
 #include <Eigen/Geometry>
@@ -16,59 +16,13 @@ namespace fascicle {
 namespace {
 
 constexpr const char* stage = "distance grid";
-constexpr int block_size = 8; // nodes a side; whole blocks far from the surface are settled by one query
-constexpr int part_size = 4;
+constexpr std::size_t large_chunk = std::size_t{1} << 18; // nodes, where the work per node is small
 
 /// The largest float that is not above x.
 float float_below(double x) {
     const auto f = static_cast<float>(x);
     return static_cast<double>(f) > x ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
 }
-
-/// Unsigned, saturated distances of the nodes of a block; nodes left alone keep the saturation.
-class BlockFill {
-public:
-    BlockFill(const GridShape& shape, const TriangleBvh& bvh, double saturation, std::vector<float>& values)
-        : shape_(shape), bvh_(bvh), saturation_(saturation), values_(values) {}
-
-    void fill(const std::array<int, 3>& low, int size) {
-        std::array<int, 3> high{};
-        for (std::size_t k = 0; k < 3; ++k)
-            high[k] = std::min(low[k] + size, shape_.nodes[k]);
-        const Vec3 first = shape_.node(low[0], low[1], low[2]);
-        const Vec3 last = shape_.node(high[0] - 1, high[1] - 1, high[2] - 1);
-        const double half = 0.5 * (last - first).norm();
-        const double reach = (saturation_ + half) * (1.0 + 1e-9);
-        if (bvh_.closest_squared_distance(0.5 * (first + last), reach, hint_) >= reach * reach)
-            return;
-        if (size == part_size) {
-            fill_nodes(low, high);
-            return;
-        }
-        for (int k = low[2]; k < high[2]; k += part_size)
-            for (int j = low[1]; j < high[1]; j += part_size)
-                for (int i = low[0]; i < high[0]; i += part_size)
-                    fill({i, j, k}, part_size);
-    }
-
-private:
-    void fill_nodes(const std::array<int, 3>& low, const std::array<int, 3>& high) {
-        bool backwards = false; // to and fro, so that consecutive nodes are neighbours
-        for (int k = low[2]; k < high[2]; ++k)
-            for (int j = low[1]; j < high[1]; ++j, backwards = !backwards)
-                for (int step = low[0]; step < high[0]; ++step) {
-                    const int i = backwards ? low[0] + high[0] - 1 - step : step;
-                    const double d2 = bvh_.closest_squared_distance(shape_.node(i, j, k), saturation_, hint_);
-                    values_[shape_.row(j, k) + static_cast<std::size_t>(i)] = float_below(std::sqrt(d2));
-                }
-    }
-
-    const GridShape& shape_;
-    const TriangleBvh& bvh_;
-    double saturation_;
-    std::vector<float>& values_;
-    int hint_ = -1;
-};
 
 /// Calls visit(point) for points of the triangle, corners included, no gap wider than `step` along or across.
 template <typename Visit>
@@ -141,36 +95,25 @@ void DistanceGrid::choose_shape(const TriMesh& mesh, const DistanceGridOptions& 
         nodes_[k] = static_cast<int>(n[static_cast<Eigen::Index>(k)]);
     step_y_ = static_cast<std::size_t>(nodes_[0]);
     step_z_ = step_y_ * static_cast<std::size_t>(nodes_[1]);
-    values_.assign(step_z_ * static_cast<std::size_t>(nodes_[2]), float_below(saturation_));
+    values_.resize(step_z_ * static_cast<std::size_t>(nodes_[2]));
 }
 
 void DistanceGrid::fill_distances(const TriMesh& mesh, int threads, const JobControl& control) {
     const GridShape shape{low_, spacing_, nodes_};
-    const TriangleBvh bvh(mesh);
-    const auto blocks = [&](std::size_t axis) {
-        return static_cast<std::size_t>((nodes_[axis] + block_size - 1) / block_size);
-    };
-    const std::size_t slabs = blocks(2), columns = blocks(0) * blocks(1);
-    for (std::size_t slab = 0; slab < slabs; ++slab) {
-        parallel_for(threads, columns, 8, [&](std::size_t begin, std::size_t end) {
-            if (control.cancelled())
-                throw Cancelled();
-            BlockFill block(shape, bvh, saturation_, values_);
-            for (std::size_t c = begin; c < end; ++c)
-                block.fill({block_size * static_cast<int>(c % blocks(0)),
-                            block_size * static_cast<int>(c / blocks(0)),
-                            block_size * static_cast<int>(slab)},
-                           block_size);
-        });
-        control.checkpoint(stage, 0.8 * static_cast<double>(slab + 1) / static_cast<double>(slabs));
-    }
+    parallel_for(threads, values_.size(), large_chunk, [&](std::size_t begin, std::size_t end) {
+        std::fill(values_.data() + begin, values_.data() + end, std::numeric_limits<float>::infinity());
+    });
+    splat_squared_distances(
+        shape, mesh.positions, mesh.triangles, saturation_, threads, control,
+        [&](double share) { control.checkpoint(stage, 0.7 * share); }, values_.data());
 }
 
 void DistanceGrid::set_signs(const TriMesh& mesh, int threads, const JobControl& control) {
     const GridShape shape{low_, spacing_, nodes_};
     const GridSign sign(shape, mesh.positions, mesh.triangles);
-    control.checkpoint(stage, 0.85);
+    control.checkpoint(stage, 0.8);
     const std::size_t rows = static_cast<std::size_t>(nodes_[1]) * static_cast<std::size_t>(nodes_[2]);
+    const auto saturated = static_cast<float>(saturation_); // exact: it is made of a float
     parallel_for(threads, rows, 256, [&](std::size_t begin, std::size_t end) {
         if (control.cancelled())
             throw Cancelled();
@@ -178,8 +121,15 @@ void DistanceGrid::set_signs(const TriMesh& mesh, int threads, const JobControl&
         for (std::size_t row = begin; row < end; ++row) {
             sign.mark_row(static_cast<int>(row) % nodes_[1], static_cast<int>(row) / nodes_[1], inside);
             float* values = values_.data() + row * step_y_;
-            for (std::size_t i = 0; i < inside.size(); ++i)
-                values[i] = inside[i] != 0 ? -values[i] : values[i];
+            for (std::size_t i = 0; i < inside.size(); ++i) {
+                const float squared = values[i]; // in units of the spacing
+                const float distance =
+                    squared == std::numeric_limits<float>::infinity()
+                        ? saturated
+                        : std::min(saturated,
+                                   float_below(spacing_ * std::sqrt(static_cast<double>(squared))));
+                values[i] = inside[i] != 0 ? -distance : distance;
+            }
         }
     });
     control.checkpoint(stage, 0.9);

@@ -2,6 +2,7 @@
 // Signed distance to a solid on a regular grid in the solid's rest frame.
 
 #include "fascicle/base/job_control.hpp"
+#include "fascicle/base/large_array.hpp"
 #include "fascicle/geometry/tri_mesh.hpp"
 
 namespace fascicle {
@@ -76,6 +77,10 @@ public:
     double correction_max() const { return correction_max_; }
     double correction_mean() const { return correction_mean_; }
     std::size_t bytes() const { return values_.size() * sizeof(float); }
+    /// The node values themselves, x fastest: node (i, j, k) is data()[i + step_y() j + step_z() k].
+    const float* data() const { return values_.data(); }
+    std::size_t step_y() const { return step_y_; }
+    std::size_t step_z() const { return step_z_; }
 
 private:
     struct Cell {
@@ -119,7 +124,7 @@ private:
     std::array<int, 3> nodes_{};
     std::size_t step_y_ = 0, step_z_ = 0;
     Vec3 low_ = Vec3::Zero();
-    std::vector<float> values_; ///< x fastest
+    LargeArray<float> values_; ///< x fastest
     double correction_max_ = 0;
     double correction_mean_ = 0;
 };
