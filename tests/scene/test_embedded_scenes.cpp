@@ -141,8 +141,7 @@ TEST_CASE("the strap at any angle has the length and moment arm of the closed fo
     const Scene scene = make_embedded_scene("cylinder");
     const Muscle& strap = scene.muscles.at(0);
     const TriMesh& mesh = *strap.mesh;
-    CHECK(mesh.triangle_count() > 2500);
-    CHECK(mesh.triangle_count() < 3500);
+    CHECK(mesh.triangle_count() == 3832);
     const auto r = test::report(mesh);
     CHECK(r.min_angle_deg > 30.0);
     CHECK(r.volume ==
@@ -159,7 +158,7 @@ TEST_CASE("the strap at any angle has the length and moment arm of the closed fo
             if (std::abs(out - cylinder_moment_arm()) < 1e-9)
                 chain.push_back(p);
         }
-    REQUIRE(chain.size() == 61);
+    REQUIRE(chain.size() == 73);
     std::sort(chain.begin(), chain.end(),
               [](const Vec3& a, const Vec3& b) { return a.y() - a.z() < b.y() - b.z(); });
     double length = 0.0;
@@ -174,9 +173,9 @@ TEST_CASE("the strap at any angle has the length and moment arm of the closed fo
     CHECK(strap.attachments[0].bone == scene.bone_index("fixed_block"));
     CHECK(strap.attachments[1].bone == scene.bone_index("moving_block"));
     for (const int v : strap.attachments[0].vertices)
-        CHECK(mesh.positions[static_cast<std::size_t>(v)].z() >= 39.9);
+        CHECK(mesh.positions[static_cast<std::size_t>(v)].z() >= CylinderScene::straight_length - 10.1);
     for (const int v : strap.attachments[1].vertices)
-        CHECK(mesh.positions[static_cast<std::size_t>(v)].y() >= 39.9);
+        CHECK(mesh.positions[static_cast<std::size_t>(v)].y() >= CylinderScene::straight_length - 10.1);
     CHECK(strap.attachments[0].vertices.size() == strap.attachments[1].vertices.size());
 }
 

@@ -24,17 +24,16 @@ double rms(const Points& a, const Points& b) {
     return std::sqrt(sum / double(a.size()));
 }
 
-/// Vertices of one side of the strap (out: +-half its thickness) along its centre line (the row nearest to x = 0 on the
-/// given side), ordered from origin to insertion.
-std::vector<std::size_t> centre_line(const Points& rest, double out, double side) {
+/// Vertices of the strap at `out` from its middle surface and at x, ordered from origin to insertion.
+std::vector<std::size_t> strap_line(const Points& rest, double out, double x) {
     std::vector<std::pair<double, std::size_t>> found;
-    const double r = cylinder_moment_arm(out), row = side * 0.5 * CylinderScene::width / 11.0;
+    const double r = cylinder_moment_arm(out);
     for (std::size_t i = 0; i < rest.size(); ++i) {
         const Vec3& p = rest[i];
         const bool front = p.z() >= 0, below = p.y() >= 0;
         const double radius = front ? -p.y() : below ? -p.z() : std::hypot(p.y(), p.z());
         const double along = front ? -p.z() : below ? 2 * r + p.y() : r * std::atan2(-p.z(), -p.y());
-        if (std::abs(p.x() - row) < 1e-6 && std::abs(radius - r) < 0.2)
+        if (std::abs(p.x() - x) < 1e-6 && std::abs(radius - r) < 0.2)
             found.emplace_back(along, i);
     }
     std::sort(found.begin(), found.end());
@@ -55,23 +54,30 @@ double length_of(const Points& x, const std::vector<std::size_t>& line) {
 
 TEST_CASE("cylinder scene: fibre length and moment arm match the closed form within 2 %",
           "[simulation][cylinder]") {
-    // The fibres on the side that lies on the cylinder: their path is the closed form's whatever the strap's thickness
-    // does. (The far side of a stretched strap sinks in by some of its 4 mm, since the surface encloses volume only.)
+    // Fibres on the side that lies on the cylinder, and the strap's middle: its far side is held off the cylinder by
+    // the walls along its edges only, so the middle line is that of the edges.
     const auto recording = run(make_embedded_scene("cylinder"));
     REQUIRE(recording->state() == RunState::finished);
     const Points& rest = *recording->frame(0)->muscle_positions[0];
-    const double out = -0.5 * CylinderScene::thickness;
-    for (const double side : {-1.0, 1.0}) {
-        const auto line = centre_line(rest, out, side);
-        REQUIRE(line.size() == 61);
-        std::vector<double> lengths;
-        for (int k = 0; k <= 100; k += 10) {
-            lengths.push_back(length_of(*recording->frame(k)->muscle_positions[0], line));
-            CHECK(lengths.back() ==
-                  Approx(cylinder_path_length(recording->frame(k)->angle_rad, out)).epsilon(0.02));
+    const double lying = -0.5 * CylinderScene::thickness, edge = 0.5 * CylinderScene::width;
+    const double centre = edge / 11.0; // rows of vertices are 24 mm / 11 apart, none at x = 0
+    for (const auto& [out, x] : {std::pair(lying, centre), {lying, -centre}, {0.0, edge}, {0.0, -edge}}) {
+        INFO("line at " << out << " mm from the middle surface, x = " << x);
+        const auto line = strap_line(rest, out, x);
+        REQUIRE(line.size() == 73);
+        const auto length = [&](int k) { return length_of(*recording->frame(k)->muscle_positions[0], line); };
+        const auto angle = [&](int k) { return recording->frame(k)->angle_rad; };
+        CHECK(length(0) == Approx(cylinder_path_length(0.0, out)).epsilon(0.001));
+        for (int k = 10; k <= 200; k += 10) {
+            INFO("frame " << k);
+            CHECK(length(k) == Approx(cylinder_path_length(angle(k), out)).epsilon(0.02));
+            if (k > 100) // just after the turn the strap swings: local arms are off by up to 2.7 %
+                continue;
+            const double arm = (length(k) - length(k - 10)) / (angle(k) - angle(k - 10));
+            CHECK(arm == Approx(cylinder_moment_arm(out)).epsilon(0.02));
         }
-        const double arm = (lengths.back() - lengths.front()) / CylinderScene::angle_rad;
-        CHECK(arm == Approx(cylinder_moment_arm(out)).epsilon(0.02));
+        CHECK((length(100) - length(0)) / angle(100) == Approx(cylinder_moment_arm(out)).epsilon(0.02));
+        CHECK((length(100) - length(200)) / angle(100) == Approx(cylinder_moment_arm(out)).epsilon(0.02));
     }
 }
 
