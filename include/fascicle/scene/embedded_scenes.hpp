@@ -35,7 +35,8 @@ Scene make_embedded_scene(std::string_view name, int threads = 1);
 /// Lengths in mm, angles in rad, right-hand rule about +x; theta = 0 is rest.
 struct CylinderScene {
     static constexpr double cylinder_radius = 20.0;
-    static constexpr double clearance = 0.12; ///< between strap and cylinder at rest, about what contact keeps
+    static constexpr double clearance =
+        0.12; ///< between strap and cylinder at rest, about what contact keeps
     static constexpr double thickness = 3.0;
     static constexpr double width = 24.0;
     static constexpr double straight_length = 70.0;
