@@ -2,6 +2,7 @@
 
 #include "editor/editor.hpp"
 #include "fascicle/base/parallel.hpp"
+#include "fascicle/io/disk_cache.hpp"
 #include "fascicle/simulation/simulation.hpp"
 #include "render/imgui_renderer.hpp"
 #include "render/osmesa_context.hpp"
@@ -39,7 +40,7 @@ render::Image render_editor_picture(const Scene& scene, int frame, const EditorP
                                     const JobControl& control) {
     const auto recording = std::make_shared<Recording>(std::make_shared<const Scene>(scene));
     if (!scene.muscles.empty())
-        run_simulation(*recording, {hardware_threads()}, control);
+        run_simulation(*recording, {hardware_threads(), open_cache()}, control);
     if (control.cancelled())
         throw Cancelled();
     return render_editor_picture(recording, frame, options);

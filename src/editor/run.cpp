@@ -1,6 +1,7 @@
 #include "editor/run.hpp"
 
 #include "fascicle/base/parallel.hpp"
+#include "fascicle/io/disk_cache.hpp"
 #include "fascicle/simulation/simulation.hpp"
 
 #include <algorithm>
@@ -21,6 +22,7 @@ private:
     static SimulationOptions make_options(int threads) {
         SimulationOptions options;
         options.threads = threads > 0 ? threads : std::max(1, hardware_threads() - 1);
+        options.cache = open_cache();
         return options;
     }
     SimulationThread thread_;

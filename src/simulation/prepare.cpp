@@ -2,7 +2,7 @@
 
 #include "fascicle/base/parallel.hpp"
 #include "fascicle/geometry/bvh.hpp"
-#include "fascicle/geometry/distance_grid.hpp"
+#include "fascicle/geometry/grid_codec.hpp"
 #include "fascicle/geometry/volume.hpp"
 #include "simulation/clean_up.hpp"
 #include "simulation/muscle_fields.hpp"
@@ -46,8 +46,21 @@ struct PreparedBones {
     std::vector<std::shared_ptr<const DistanceGrid>> grids; ///< empty when the method needs none
 };
 
+std::shared_ptr<const DistanceGrid> cached_grid(const TriMesh& mesh, const DistanceGridOptions& options,
+                                                const JobControl& control, BlobStore* cache) {
+    const std::string key = cache != nullptr ? grid_key(mesh, options) : std::string();
+    if (cache != nullptr)
+        if (const auto bytes = cache->find(key))
+            if (auto grid = decode_grid(*bytes, options.max_nodes, options.threads))
+                return std::make_shared<const DistanceGrid>(std::move(*grid));
+    auto grid = std::make_shared<const DistanceGrid>(mesh, options, control);
+    if (cache != nullptr)
+        cache->keep(key, encode_grid(*grid));
+    return grid;
+}
+
 PreparedBones prepare_bones(const Scene& scene, bool grids, int threads, const JobControl& control,
-                            std::vector<std::string>& notes, Lap& lap) {
+                            BlobStore* cache, std::vector<std::string>& notes, Lap& lap) {
     PreparedBones bones;
     bones.trees.reserve(scene.bones.size());
     for (const Bone& bone : scene.bones) {
@@ -74,7 +87,7 @@ PreparedBones prepare_bones(const Scene& scene, bool grids, int threads, const J
             if (control.report)
                 control.report("prepare", 0.1 + 0.7 * (double(b) + f) / double(scene.bones.size()));
         };
-        bones.grids.push_back(std::make_shared<DistanceGrid>(*scene.bones[b].mesh, options, part));
+        bones.grids.push_back(cached_grid(*scene.bones[b].mesh, options, part, cache));
         if (bones.grids.back()->spacing() > 1.01 * options.spacing)
             notes.push_back(scene.bones[b].name + ": distance grid of " +
                             millimetres(bones.grids.back()->spacing() * unit_mm) + " instead of the wanted " +
@@ -156,7 +169,7 @@ PreparedMuscle prepare_muscle(const Scene& scene, const Muscle& muscle, const So
 
 } // namespace
 
-PreparedScene prepare_scene(const Scene& scene, int threads, const JobControl& control) {
+PreparedScene prepare_scene(const Scene& scene, int threads, const JobControl& control, BlobStore* cache) {
     PreparedScene prepared;
     prepared.method = find_solver_method(scene.parameters.get_choice("solver.method"));
     if (prepared.method == nullptr)
@@ -166,7 +179,7 @@ PreparedScene prepare_scene(const Scene& scene, int threads, const JobControl& c
     control.checkpoint("prepare", 0.0);
     Lap lap(prepared.stage_seconds);
     const PreparedBones bones =
-        prepare_bones(scene, prepared.method->needs_grid, threads, control, prepared.notes, lap);
+        prepare_bones(scene, prepared.method->needs_grid, threads, control, cache, prepared.notes, lap);
     for (std::size_t m = 0; m < scene.muscles.size(); ++m) {
         control.checkpoint("prepare", 0.8 + 0.2 * double(m) / double(scene.muscles.size()));
         prepared.muscles.push_back(

@@ -22,7 +22,7 @@ public:
 
     void run() {
         const auto start = Clock::now();
-        PreparedScene prepared = prepare_scene(scene_, options_.threads, control_);
+        PreparedScene prepared = prepare_scene(scene_, options_.threads, control_, options_.cache.get());
         solver_ = std::make_unique<SceneSolver>(scene_, prepared, options_.threads);
         publish_attachments(prepared);
         for (std::string& note : prepared.notes)

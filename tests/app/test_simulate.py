@@ -1,10 +1,12 @@
 """fascicle simulate from mesh files: what it leaves, and that it leaves the same for any number of threads."""
 import csv
 import json
+import os
+import subprocess
 import unittest
 
 import small_scene
-from program import ProgramTest, file_hashes
+from program import PROGRAM, TIMEOUT, ProgramTest, file_hashes
 
 METRIC_COLUMNS = ("frame,muscle,angle_deg,volume_ratio,edge_extension_mean,edge_extension_p99,"
                   "dihedral_change_mean_rad,penetrating_vertices,penetration_max_mm")
@@ -80,6 +82,31 @@ class SimulateTest(ProgramTest):
         self.assertEqual(len(set(hashes.values())), 1, hashes)
         other, _ = self.simulate("f", "--set", "solver.stiffness=0.5")
         self.assertNotEqual(self.summary(other)["state_hash"], hashes["a"])
+
+    def test_cached_distance_grids_change_nothing_and_may_be_shared_lost_or_locked(self):
+        plain = self.summary(self.simulate("plain")[0])["state_hash"]
+        cache = self.folder / "cache"
+        environment = {**os.environ, "FASCICLE_CACHE": str(cache)}
+
+        def start(out):
+            return subprocess.Popen([PROGRAM, "simulate", *map(str, self.source), "--quiet", "--out", str(self.folder / out)],
+                                    env=environment, stderr=subprocess.PIPE, text=True)
+
+        def check(out, run):
+            _, errors = run.communicate(timeout=TIMEOUT)
+            self.assertEqual((run.returncode, errors), (0, ""))
+            self.assertEqual(self.summary(self.folder / out)["state_hash"], plain)
+
+        for out, run in [(out, start(out)) for out in ("first", "second", "third")]:  # all at once
+            check(out, run)
+        files = sorted(cache.iterdir())
+        self.assertEqual(len(files), 2, files)  # one per bone
+        files[0].write_bytes(files[0].read_bytes()[:1000])
+        files[1].unlink()
+        check("after damage", start("after damage"))
+        self.assertEqual(sorted(cache.iterdir()), files)
+        environment["FASCICLE_CACHE"] = str(files[0])  # a file where the folder should be
+        check("no folder", start("no folder"))
 
     def test_every_thins_the_surfaces_and_keeps_the_last(self):
         out, _ = self.simulate("out", "--export", "vtp", "--every", "5")

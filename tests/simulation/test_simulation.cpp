@@ -217,3 +217,55 @@ TEST_CASE("the same scene in metres moves alike", "[simulation]") {
         p *= 1e3;
     CHECK(rms(back, *in_mm->last_frame()->muscle_positions[0]) < 0.05);
 }
+
+namespace {
+
+/// Counts what is asked for; gives back what it was given, or other bytes.
+class CountingStore : public BlobStore {
+public:
+    std::optional<std::string> find(const std::string& key) override {
+        ++asked;
+        const auto it = kept.find(key);
+        if (it == kept.end())
+            return std::nullopt;
+        ++found;
+        return it->second;
+    }
+    void keep(const std::string& key, std::string_view bytes) override { kept[key] = bytes; }
+
+    std::map<std::string, std::string> kept;
+    int asked = 0, found = 0;
+};
+
+} // namespace
+
+TEST_CASE("distance grids from a cache change nothing, damaged ones are made anew", "[simulation][cache]") {
+    Scene scene = make_embedded_scene("cylinder");
+    scene.timeline.last_frame = 5;
+    const auto last = [&](std::shared_ptr<BlobStore> cache) {
+        Recording recording(std::make_shared<Scene>(scene));
+        run_simulation(recording, {2, std::move(cache)}, {});
+        return *recording.frame(5)->muscle_positions[0];
+    };
+    const Points plain = last(nullptr);
+    const auto store = std::make_shared<CountingStore>();
+    CHECK(last(store) == plain);
+    const auto bones = static_cast<int>(scene.bones.size());
+    CHECK(store->asked == bones);
+    CHECK(store->found == 0);
+    CHECK(static_cast<int>(store->kept.size()) == bones);
+    CHECK(last(store) == plain);
+    CHECK(store->found == bones);
+    const auto sound = store->kept;
+    for (auto& [key, bytes] : store->kept)
+        bytes.resize(bytes.size() / 2);
+    CHECK(last(store) == plain);
+    CHECK(store->kept == sound);
+    scene.parameters.set("contact.grid_mm", 1.3);
+    last(store);
+    CHECK(static_cast<int>(store->kept.size()) == 2 * bones);
+    scene.parameters.set_text("solver.method", "classic"); // has no use for grids
+    store->asked = 0;
+    last(store);
+    CHECK(store->asked == 0);
+}

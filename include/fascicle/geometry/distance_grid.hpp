@@ -5,6 +5,9 @@
 #include "fascicle/base/large_array.hpp"
 #include "fascicle/geometry/tri_mesh.hpp"
 
+#include <optional>
+#include <string_view>
+
 namespace fascicle {
 
 /// Value and gradient of the trilinear interpolant. gradient is that of the interpolant, not normalised; zero
@@ -83,6 +86,9 @@ public:
     std::size_t step_z() const { return step_z_; }
 
 private:
+    DistanceGrid() = default; // for decode_grid, which fills it
+    friend std::optional<DistanceGrid> decode_grid(std::string_view bytes, std::size_t max_nodes,
+                                                   int threads);
     struct Cell {
         std::array<double, 8> at;    ///< corner values, x fastest
         std::array<double, 3> share; ///< position within the cell, each in [0, 1)

@@ -1,6 +1,7 @@
 #pragma once
 // From a scene to solver problems: attachments resolved, bones turned into distance grids, muscles cleaned up.
 
+#include "fascicle/base/blob_store.hpp"
 #include "fascicle/base/job_control.hpp"
 #include "fascicle/scene/recording.hpp"
 #include "fascicle/solver/soft_body_solver.hpp"
@@ -21,6 +22,8 @@ struct PreparedScene {
 };
 
 /// Error when the scene has no muscle, a muscle encloses no volume, or its attachments leave no vertex free.
-PreparedScene prepare_scene(const Scene& scene, int threads, const JobControl& control);
+/// `cache` may be null: see SimulationOptions.
+PreparedScene prepare_scene(const Scene& scene, int threads, const JobControl& control,
+                            BlobStore* cache = nullptr);
 
 } // namespace fascicle

@@ -2,9 +2,11 @@
 // Runs a scene: prepares (attachments, distance grids, constraints), then solves frame by frame into a
 // Recording.
 
+#include "fascicle/base/blob_store.hpp"
 #include "fascicle/base/job_control.hpp"
 #include "fascicle/scene/recording.hpp"
 
+#include <memory>
 #include <thread>
 #include <utility>
 
@@ -12,6 +14,9 @@ namespace fascicle {
 
 struct SimulationOptions {
     int threads = 1;
+    /// Where distance grids are looked for and left, so that the next run of the same bones need not make them;
+    /// changes nothing in the result. May be null.
+    std::shared_ptr<BlobStore> cache = {};
 };
 
 /// Runs to the end, on this thread. The recording receives notes, attachments, frame 0 (rest) and then every

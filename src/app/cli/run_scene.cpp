@@ -1,6 +1,7 @@
 #include "app/cli/run_scene.hpp"
 
 #include "fascicle/base/interrupt.hpp"
+#include "fascicle/io/disk_cache.hpp"
 
 #include <chrono>
 #include <thread>
@@ -11,7 +12,7 @@ RecordingPtr run_scene(ScenePtr scene, const RunSceneOptions& options, ProgressD
                        const std::function<void(const Recording&, const FramePtr&)>& on_frame) {
     const std::atomic<bool>& interrupted = watch_interrupts();
     const int total = scene->timeline.last_frame;
-    SimulationThread simulation(std::move(scene), {options.threads});
+    SimulationThread simulation(std::move(scene), {options.threads, open_cache()});
     RecordingPtr recording = simulation.recording();
     for (const std::string& note : options.notes)
         recording->add_note(note);
