@@ -14,8 +14,7 @@ constexpr int directions = 24; ///< tried around the scene
 constexpr double pitch = 0.21; ///< radians above the horizon
 constexpr double front_left = 0.61;
 
-/// Vertices dropped into a raster seen along the camera: the nearest one takes the cell. Coarse, but cheap, and
-/// vertices are dense compared with the cells.
+/// Points of surfaces dropped into a raster seen along the camera: the nearest one takes the cell. Coarse, but cheap.
 struct Raster {
     struct Cell {
         double depth = -std::numeric_limits<double>::infinity(); ///< larger is nearer
@@ -36,6 +35,24 @@ struct Raster {
         if (depth > cell.depth)
             cell = {depth, muscle};
     }
+
+    /// Corners of its triangles, and points in between where they are farther apart than cells.
+    void add(const TriMesh& mesh, int muscle) {
+        for (const Vec3& p : mesh.positions)
+            add(p, muscle);
+        const double cell = 2 * half / cells;
+        for (const Tri& t : mesh.triangles) {
+            const auto at = [&](std::size_t k) -> const Vec3& {
+                return mesh.positions[static_cast<std::size_t>(t[k])];
+            };
+            const Vec3 a = at(0), ab = at(1) - a, ac = at(2) - a;
+            const double longest = std::max({ab.norm(), ac.norm(), (ab - ac).norm()});
+            const int steps = static_cast<int>(std::min(longest / cell, 4.0 * cells)); // more lie outside
+            for (int i = 0; i <= steps && steps > 1; ++i)
+                for (int j = 0; j <= steps - i; ++j)
+                    add(a + ab * i / steps + ac * j / steps, muscle);
+        }
+    }
 };
 
 /// Square roots, so that a little of two muscles is better than much of one.
@@ -47,11 +64,9 @@ double score(const view::Camera& camera, const Scene& scene, const BoundingBox& 
     raster.centre = box.center();
     raster.half = box.diagonal() / 2;
     for (const Bone& bone : scene.bones)
-        for (const Vec3& p : bone.mesh->positions)
-            raster.add(p, -1);
+        raster.add(*bone.mesh, -1);
     for (std::size_t m = 0; m < scene.muscles.size(); ++m)
-        for (const Vec3& p : scene.muscles[m].mesh->positions)
-            raster.add(p, static_cast<int>(m));
+        raster.add(*scene.muscles[m].mesh, static_cast<int>(m));
     std::vector<double> seen(scene.muscles.size(), 0);
     for (const Raster::Cell& cell : raster.grid)
         if (cell.muscle >= 0)

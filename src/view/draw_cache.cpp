@@ -20,6 +20,25 @@ FloatPoints narrow(const Points& points) {
     return result;
 }
 
+/// Whether corners stand more than 40 degrees off their faces on average: the cube of 12 triangles (55), not the
+/// icosahedron (37). Smooth normals would make such a surface look round where it is flat.
+bool is_block(const TriMesh& mesh, const Points& normals) {
+    double cosines = 0;
+    std::size_t corners = 0;
+    for (const Tri& t : mesh.triangles) {
+        const auto at = [&](int k) -> const Vec3& {
+            return mesh.positions[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])];
+        };
+        const Vec3 face = (at(1) - at(0)).cross(at(2) - at(0));
+        if (!(face.norm() > 0))
+            continue;
+        for (const int v : t)
+            cosines += face.normalized().dot(normals[static_cast<std::size_t>(v)]);
+        corners += 3;
+    }
+    return corners > 0 && cosines / static_cast<double>(corners) < 0.766;
+}
+
 bool same(const std::vector<Attachment>& a, const std::vector<Attachment>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Attachment& x, const Attachment& y) {
         return x.kind == y.kind && x.bone == y.bone && x.vertices == y.vertices;
@@ -77,8 +96,11 @@ IndexTriangles DrawCache::triangles(std::size_t muscle_or_bone, bool bone, const
 
 SurfaceArrays DrawCache::bone_surface(std::size_t bone, const MeshPtr& mesh) {
     Object& entry = object(bones_, bone, mesh);
-    if (!entry.surface.positions)
-        entry.surface = make_surface(mesh->positions, *mesh);
+    if (!entry.surface.positions) {
+        const Points normals = vertex_normals(mesh->positions, mesh->triangles);
+        entry.surface = {narrow(mesh->positions), is_block(*mesh, normals) ? nullptr : narrow(normals)};
+        ++computed_;
+    }
     return entry.surface;
 }
 

@@ -29,7 +29,7 @@ struct BorderLines {
 class DrawCache {
 public:
     IndexTriangles triangles(std::size_t muscle_or_bone, bool bone, const MeshPtr& mesh);
-    /// At rest, in the mesh's own coordinates.
+    /// At rest, in the mesh's own coordinates. A block of few triangles has no normals: its faces are drawn flat.
     SurfaceArrays bone_surface(std::size_t bone, const MeshPtr& mesh);
     SurfaceArrays muscle_surface(std::size_t muscle, const MeshPtr& mesh, const PointsPtr& points);
     SurfaceArrays ghost_surface(std::size_t muscle, const MeshPtr& mesh, const PointsPtr& rest);

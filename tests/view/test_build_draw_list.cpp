@@ -105,6 +105,16 @@ TEST_CASE("Bones take their pose, muscles the frame's positions", "[view][build_
           static_cast<float>(scene->muscles[0].mesh->positions[0].x()));
 }
 
+TEST_CASE("Blocks are drawn flat, round bones smooth", "[view][build_draw_list]") {
+    Scene scene = *make_scene();
+    scene.bones.push_back({"block", std::make_shared<const TriMesh>(test::box(20, 20, 40)), {}});
+    DrawCache cache;
+    const render::DrawList list =
+        build_draw_list(subject_of(std::make_shared<const Scene>(std::move(scene))), {}, {}, cache);
+    CHECK(find(list, bone_item_id(0))->normals != nullptr);
+    CHECK(find(list, bone_item_id(1))->normals == nullptr);
+}
+
 TEST_CASE("Nothing is computed twice while nothing changes", "[view][draw_cache]") {
     const ScenePtr scene = make_scene();
     const ViewSubject subject = run_of(scene);

@@ -85,18 +85,19 @@ Pictures::Pictures(const Recording& recording, const PictureOptions& options)
 
 /// The camera turns to where most of the muscles is seen at rest and flexed, and most of the motion.
 void Pictures::choose_side(int flexed) {
-    const int sides = 8, size = 128;
+    const int sides = 16, size = 128;
     const double pitch = 12 * std::numbers::pi / 180;
     const std::vector<Vec3> moves = corner_moves(recording_.scene(), *recording_.frame(flexed));
     const view::Camera start = camera_;
     double best = -1;
     for (int i = 0; i < sides; ++i) {
         view::Camera candidate = start;
-        // Half a step off the standard views, where depth shows best.
-        candidate.orbit_by((i + 0.5) * 2 * std::numbers::pi / sides, pitch);
+        const bool oblique =
+            i % 2 == 1; // half way between the standard views and their diagonals depth shows best
+        candidate.orbit_by(i * 2 * std::numbers::pi / sides, pitch);
         candidate.frame(box_, 1.0);
         const int pixels = muscle_pixels(0, candidate, size) + muscle_pixels(flexed, candidate, size);
-        const double score = pixels * seen_share(moves, candidate.backward());
+        const double score = (oblique ? 1.5 : 1.0) * pixels * seen_share(moves, candidate.backward());
         if (score > best) {
             best = score;
             camera_ = candidate;
