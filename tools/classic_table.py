@@ -11,6 +11,7 @@ import csv
 import json
 import math
 import pathlib
+import struct
 import subprocess
 import sys
 
@@ -43,23 +44,46 @@ def run(command):
         sys.exit(f"classic_table.py: exit code {result.returncode} from: {' '.join(map(str, command))}")
 
 
-def program_pelvis(fascicle, lhdl, out):
+def read_obj(path):
+    """Points as texts and triangles (from 0) of a triangle OBJ."""
+    points, triangles = [], []
+    for line in path.read_text().splitlines():
+        word = line.split()
+        if word[:1] == ["v"]:
+            points.append(" ".join(word[1:4]))
+        elif word[:1] == ["f"]:
+            triangles.append([int(corner.split("/")[0]) - 1 for corner in word[1:]])
+    return points, triangles
+
+
+def read_vtk(path):
+    """The same of legacy polydata, BINARY, version 3: POINTS n float, POLYGONS n size, big-endian."""
+    data = path.read_bytes()
+
+    def block(keyword, code, count_of):
+        start = data.index(b"\n" + keyword + b" ") + 1
+        end = data.index(b"\n", start)
+        count = count_of([int(word) for word in data[start:end].split() if word.isdigit()])
+        return struct.unpack_from(f">{count}{code}", data, end + 1)
+
+    floats = block(b"POINTS", "f", lambda numbers: 3 * numbers[0])
+    cells = block(b"POLYGONS", "i", lambda numbers: numbers[1])
+    if any(size != 3 for size in cells[::4]):
+        sys.exit(f"classic_table.py: {path}: expected triangles only")
+    points = [" ".join(f"{c:.9g}" for c in floats[i:i + 3]) for i in range(0, len(floats), 3)]
+    return points, [cells[i + 1:i + 4] for i in range(0, len(cells), 4)]
+
+
+def program_pelvis(lhdl, out):
     """The program's pelvis held the sacrum (its voxels were 2.6 mm deep): both meshes in one OBJ."""
     joined = out / "pelvis.obj"
-    if joined.exists():
-        return joined
-    vertices, faces = [], []
-    for source in (lhdl / "pelvis.obj", lhdl / "sacrum.vtk"):
-        part = out / (source.stem + "_part.obj")
-        run([fascicle, "convert", source, part])
-        offset = len(vertices)
-        for line in part.read_text().splitlines():
-            word = line.split()
-            if word[:1] == ["v"]:
-                vertices.append(line)
-            elif word[:1] == ["f"]:
-                faces.append("f " + " ".join(str(int(corner.split("/")[0]) + offset) for corner in word[1:]))
-    joined.write_text("\n".join(vertices + faces) + "\n")
+    if not joined.exists():
+        points, triangles = read_obj(lhdl / "pelvis.obj")
+        sacrum_points, sacrum_triangles = read_vtk(lhdl / "sacrum.vtk")
+        triangles += [[corner + len(points) for corner in triangle] for triangle in sacrum_triangles]
+        lines = ["v " + point for point in points + sacrum_points]
+        lines += ["f " + " ".join(str(corner + 1) for corner in triangle) for triangle in triangles]
+        joined.write_text("\n".join(lines) + "\n")
     return joined
 
 
@@ -81,7 +105,7 @@ def simulate(case, method, args, pelvis):
     folder = args.out / f"{case}_{method.replace(':', '_')}"
     if not (folder / "summary.json").exists():
         command = [args.fascicle, "simulate", *arguments(case, args, pelvis), "--method", kind, "--export", "csv",
-                   "--out", folder]
+                   "--quiet", "--out", folder]
         for value in equations:
             command += ["--set", f"classic.equations={value}"]
         run(command)
@@ -116,7 +140,7 @@ def main():
     if not (args.data / "lhdl").is_dir():
         sys.exit(f"classic_table.py: {args.data / 'lhdl'}: no such folder, expected the LHDL data")
     args.out.mkdir(parents=True, exist_ok=True)
-    pelvis = program_pelvis(args.fascicle, args.data / "lhdl", args.out)
+    pelvis = program_pelvis(args.data / "lhdl", args.out)
     for case in args.cases.split(","):
         if case not in CASES:
             sys.exit(f"classic_table.py: no case '{case}', expected one of {', '.join(CASES)}")
