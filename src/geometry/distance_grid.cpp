@@ -138,7 +138,10 @@ void DistanceGrid::set_signs(const TriMesh& mesh, int threads, const JobControl&
 void DistanceGrid::make_conservative(const TriMesh& mesh, int threads, const JobControl& control) {
     const double step = spacing_ / 4.0;
     // -1: no surface sample in any cell of the node.
-    std::vector<float> lowering(values_.size(), -1.0f);
+    LargeArray<float> lowering(values_.size());
+    parallel_for(threads, lowering.size(), large_chunk, [&](std::size_t begin, std::size_t end) {
+        std::fill(lowering.data() + begin, lowering.data() + end, -1.0f);
+    });
     const std::array<std::size_t, 8> corners{0,       1,           step_y_,           step_y_ + 1,
                                              step_z_, step_z_ + 1, step_y_ + step_z_, step_y_ + step_z_ + 1};
     const auto at = [&](int v) -> const Vec3& { return mesh.positions[static_cast<std::size_t>(v)]; };
@@ -148,33 +151,66 @@ void DistanceGrid::make_conservative(const TriMesh& mesh, int threads, const Job
         for (std::size_t t = begin; t < end; ++t) {
             const Tri& tri = mesh.triangles[t];
             const Vec3 normal = (at(tri[1]) - at(tri[0])).cross(at(tri[2]) - at(tri[0])).normalized();
-            sample_triangle(at(tri[0]), at(tri[1]), at(tri[2]), step, [&](const Vec3& p) {
-                std::size_t corner = 0;
-                std::array<double, 3> share{};
-                if (!locate_corner(p, corner, share))
+            // Samples of one cell mostly follow each other: its corners are raised once for all of them.
+            constexpr std::size_t no_cell = std::numeric_limits<std::size_t>::max();
+            std::size_t cell = no_cell;
+            double cell_need = 0.0;
+            const auto raise_corners = [&] {
+                if (cell == no_cell)
                     return;
-                // Half a step along the surface at the rate at which the interpolant changes there.
-                const DistanceSample phi = sample(p);
-                const Vec3 along = phi.gradient - phi.gradient.dot(normal) * normal;
-                const double highest = phi.value + 0.5 * step * along.norm();
-                const float need = -float_below(-std::max(highest, 0.0));
+                const float need = -float_below(-cell_need);
                 for (const std::size_t offset : corners)
-                    raise_to(lowering[corner + offset], need);
+                    raise_to(lowering[cell + offset], need);
+            };
+            sample_triangle(at(tri[0]), at(tri[1]), at(tri[2]), step, [&](const Vec3& p) {
+                Cell around;
+                std::size_t corner = 0;
+                if (!locate(p, around, corner))
+                    return;
+                if (corner != cell) {
+                    raise_corners();
+                    cell = corner;
+                    cell_need = 0.0;
+                }
+                // Half a step along the surface at the rate at which the interpolant changes there.
+                const DistanceSample phi = interpolate(around);
+                const Vec3 along = phi.gradient - phi.gradient.dot(normal) * normal;
+                const double rise = 0.5 * step;
+                const double squared = along.squaredNorm();
+                // The root only where it can matter.
+                if (const double missing = cell_need - phi.value;
+                    missing < 0.0 || rise * rise * squared > missing * missing)
+                    cell_need = std::max(cell_need, phi.value + rise * std::sqrt(squared));
             });
+            raise_corners();
         }
     });
-    double sum = 0.0;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < values_.size(); ++i) {
-        const auto c = static_cast<double>(lowering[i]);
-        if (c < 0.0)
-            continue;
-        values_[i] = float_below(static_cast<double>(values_[i]) - c);
-        correction_max_ = std::max(correction_max_, c);
-        sum += c;
-        ++count;
+    struct Part {
+        double sum = 0, largest = 0;
+        std::size_t count = 0;
+    };
+    std::vector<Part> parts((values_.size() + large_chunk - 1) / large_chunk);
+    parallel_for(threads, values_.size(), large_chunk, [&](std::size_t begin, std::size_t end) {
+        Part part;
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto c = static_cast<double>(lowering[i]);
+            if (c < 0.0)
+                continue;
+            values_[i] = float_below(static_cast<double>(values_[i]) - c);
+            part.largest = std::max(part.largest, c);
+            part.sum += c;
+            ++part.count;
+        }
+        parts[begin / large_chunk] = part;
+    });
+    Part total;
+    for (const Part& part : parts) {
+        total.largest = std::max(total.largest, part.largest);
+        total.sum += part.sum;
+        total.count += part.count;
     }
-    correction_mean_ = count > 0 ? sum / static_cast<double>(count) : 0.0;
+    correction_max_ = total.largest;
+    correction_mean_ = total.count > 0 ? total.sum / static_cast<double>(total.count) : 0.0;
 }
 
 } // namespace fascicle

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 namespace fascicle {
 namespace {
@@ -28,32 +29,57 @@ void check_numbers(const TriMesh& mesh, MeshReport& report) {
             }
 }
 
+/// The same cyclic order, beginning with the lowest vertex.
+Tri lowest_first(Tri t) {
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    return t;
+}
+
+/// visit(triangle) for every triangle whose key is that of one before it. key(t) begins with t's lowest vertex.
+template <typename Key, typename Visit>
+void each_double(const std::vector<Tri>& triangles, const Key& key, const Visit& visit) {
+    struct Entry {
+        int second, third; // vertices of the key
+        int triangle;
+    };
+    int vertex_count = 0;
+    for (const Tri& t : triangles)
+        vertex_count = std::max({vertex_count, t[0] + 1, t[1] + 1, t[2] + 1});
+    // Into buckets by the lowest vertex, a few in each.
+    std::vector<int> starts(z(vertex_count) + 1, 0);
+    for (const Tri& t : triangles)
+        ++starts[z(std::min({t[0], t[1], t[2]})) + 1];
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    std::vector<Entry> entries(triangles.size());
+    std::vector<int> next(starts.begin(), starts.end() - 1);
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        const Tri k = key(triangles[t]);
+        entries[z(next[z(k[0])]++)] = {k[1], k[2], static_cast<int>(t)};
+    }
+    for (std::size_t v = 0; v < z(vertex_count); ++v) {
+        const auto begin = entries.begin() + starts[v], end = entries.begin() + starts[v + 1];
+        if (end - begin < 2)
+            continue;
+        std::sort(begin, end, [](const Entry& x, const Entry& y) {
+            return std::tie(x.second, x.third, x.triangle) < std::tie(y.second, y.third, y.triangle);
+        });
+        for (auto it = begin + 1; it != end; ++it)
+            if (it->second == (it - 1)->second && it->third == (it - 1)->third)
+                visit(it->triangle);
+    }
+}
+
 /// Drops triangles with repeated indices and same-oriented duplicates, keeping the order of the rest.
 void drop_surplus(std::vector<Tri>& triangles, MeshReport& report) {
     const std::size_t before = triangles.size();
     std::erase_if(triangles, has_repeated_index);
     report.degenerate_triangles = static_cast<int>(before - triangles.size());
 
-    struct Key {
-        std::array<int, 3> vertices; // lowest first, cyclic order kept
-        int triangle;
-    };
-    std::vector<Key> keys(triangles.size());
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-        keys[t] = {triangles[t], static_cast<int>(t)};
-        std::rotate(keys[t].vertices.begin(),
-                    std::min_element(keys[t].vertices.begin(), keys[t].vertices.end()),
-                    keys[t].vertices.end());
-    }
-    std::sort(keys.begin(), keys.end(), [](const Key& x, const Key& y) {
-        return x.vertices != y.vertices ? x.vertices < y.vertices : x.triangle < y.triangle;
-    });
     std::vector<char> surplus(triangles.size(), 0);
-    for (std::size_t i = 1; i < keys.size(); ++i)
-        if (keys[i].vertices == keys[i - 1].vertices) {
-            surplus[z(keys[i].triangle)] = 1;
-            ++report.duplicate_triangles;
-        }
+    each_double(triangles, lowest_first, [&](int triangle) {
+        surplus[z(triangle)] = 1;
+        ++report.duplicate_triangles;
+    });
     std::size_t kept = 0;
     for (std::size_t t = 0; t < triangles.size(); ++t)
         if (!surplus[t])
@@ -62,13 +88,12 @@ void drop_surplus(std::vector<Tri>& triangles, MeshReport& report) {
 }
 
 int count_opposite_duplicates(const std::vector<Tri>& triangles) {
-    std::vector<Tri> sorted(triangles);
-    for (Tri& t : sorted)
-        std::sort(t.begin(), t.end());
-    std::sort(sorted.begin(), sorted.end());
     int count = 0;
-    for (std::size_t i = 1; i < sorted.size(); ++i)
-        count += sorted[i] == sorted[i - 1] ? 1 : 0;
+    const auto ascending = [](Tri t) {
+        std::sort(t.begin(), t.end());
+        return t;
+    };
+    each_double(triangles, ascending, [&](int) { ++count; });
     return count;
 }
 
@@ -125,56 +150,66 @@ int count_holes(const MeshTopology& topology) {
     return holes;
 }
 
-/// Whether the triangles at a vertex fall into several fans that share no edge at it.
-bool several_fans(const std::vector<Tri>& triangles, std::span<const int> around, int vertex) {
-    struct Spoke {
-        int to;
-        int triangle;
-    };
-    std::vector<Spoke> spokes;
-    for (std::size_t i = 0; i < around.size(); ++i)
-        for (const int v : triangles[z(around[i])])
-            if (v != vertex)
-                spokes.push_back({v, static_cast<int>(i)});
-    std::sort(spokes.begin(), spokes.end(), [](const Spoke& x, const Spoke& y) { return x.to < y.to; });
-    std::vector<int> parent(around.size());
+/// By vertex: into how many fans that share no edge at it its triangles fall.
+std::vector<int> fan_counts(const std::vector<Tri>& triangles, const MeshTopology& topology) {
+    std::vector<int> parent(3 * triangles.size()); // by corner
     std::iota(parent.begin(), parent.end(), 0);
     const auto root = [&](int i) {
         while (parent[z(i)] != i)
             i = parent[z(i)] = parent[z(parent[z(i)])];
         return i;
     };
-    std::size_t fans = around.size();
-    for (std::size_t i = 1; i < spokes.size(); ++i)
-        if (spokes[i].to == spokes[i - 1].to) {
-            const int a = root(spokes[i].triangle), b = root(spokes[i - 1].triangle);
-            if (a != b) {
-                parent[z(a)] = b;
-                --fans;
+    std::vector<int> fans(z(topology.vertex_count()));
+    for (int v = 0; v < topology.vertex_count(); ++v)
+        fans[z(v)] = static_cast<int>(topology.vertex_triangles(v).size());
+    for (int e = 0; e < static_cast<int>(topology.edges().size()); ++e) {
+        const auto row = topology.edge_half_edges(e);
+        for (std::size_t i = 1; i < row.size(); ++i)
+            for (const int v : {topology.edges()[z(e)].a, topology.edges()[z(e)].b}) {
+                const auto corner = [&](int half_edge) {
+                    const Tri& t = triangles[z(half_edge / 3)];
+                    return root(half_edge - half_edge % 3 + (t[0] == v ? 0 : t[1] == v ? 1 : 2));
+                };
+                const int x = corner(row[i - 1]), y = corner(row[i]);
+                if (x != y) {
+                    parent[z(std::max(x, y))] = std::min(x, y);
+                    --fans[z(v)];
+                }
             }
-        }
-    return fans > 1;
+    }
+    return fans;
 }
 
 void check_vertices(const TriMesh& mesh, const MeshTopology& topology, MeshReport& report) {
-    std::vector<int> used;
+    struct Used {
+        double x;
+        int vertex;
+    };
+    std::vector<Used> used;
+    used.reserve(mesh.positions.size());
+    const std::vector<int> fans = fan_counts(mesh.triangles, topology);
     for (int v = 0; v < mesh.vertex_count(); ++v) {
-        const auto around = topology.vertex_triangles(v);
-        if (around.empty()) {
+        if (fans[z(v)] == 0) {
             ++report.unused_vertices;
             continue;
         }
-        used.push_back(v);
-        if (several_fans(mesh.triangles, around, v) && report.nonmanifold_vertices++ == 0)
+        used.push_back({mesh.positions[z(v)].x(), v});
+        if (fans[z(v)] > 1 && report.nonmanifold_vertices++ == 0)
             report.first_nonmanifold_vertex = v;
     }
-    const auto key = [&](int v) {
-        const Vec3& p = mesh.positions[z(v)];
-        return std::array<double, 3>{p.x(), p.y(), p.z()};
+    // By x alone first, whose values lie side by side; y and z decide among the few that are equal.
+    std::sort(used.begin(), used.end(), [](const Used& a, const Used& b) { return a.x < b.x; });
+    const auto rest = [&](const Used& u) {
+        const Vec3& p = mesh.positions[z(u.vertex)];
+        return std::pair{p.y(), p.z()};
     };
-    std::sort(used.begin(), used.end(), [&](int x, int y) { return key(x) < key(y); });
-    for (std::size_t i = 1; i < used.size(); ++i)
-        report.duplicate_vertices += key(used[i]) == key(used[i - 1]) ? 1 : 0;
+    for (auto begin = used.begin(); begin != used.end();) {
+        const auto end = std::find_if(begin, used.end(), [&](const Used& u) { return u.x != begin->x; });
+        std::sort(begin, end, [&](const Used& a, const Used& b) { return rest(a) < rest(b); });
+        for (auto it = begin; it != end; ++it)
+            report.duplicate_vertices += it != begin && rest(*it) == rest(*(it - 1)) ? 1 : 0;
+        begin = end;
+    }
 }
 
 } // namespace
@@ -189,13 +224,16 @@ MendedMesh mend(TriMesh mesh) {
         return result;
 
     drop_surplus(result.mesh.triangles, report);
-    const detail::OrientationChanges changes = detail::orient(result.mesh);
+    detail::OrientationChanges changes = detail::orient(result.mesh);
     report.inconsistent_triangles = changes.inconsistent_triangles;
     report.non_orientable_patches = changes.non_orientable_patches;
     report.inverted_components = changes.inverted_components;
     report.cavities = changes.cavities;
 
-    const MeshTopology topology(result.mesh.vertex_count(), result.mesh.triangles);
+    // Turned triangles walk their edges the other way.
+    const MeshTopology topology = changes.turned
+                                      ? MeshTopology(result.mesh.vertex_count(), result.mesh.triangles)
+                                      : std::move(changes.topology);
     report.triangles = result.mesh.triangle_count();
     report.components = topology.component_count();
     report.zero_area_triangles = count_zero_areas(result.mesh);

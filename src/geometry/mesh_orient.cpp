@@ -89,18 +89,25 @@ std::vector<char> unbalanced_labels(const TriMesh& mesh, const MeshTopology& top
     std::vector<char> unbalanced(z(label_count), 0);
     std::vector<std::pair<int, int>> walks; // label, direction
     for (int e = 0; e < static_cast<int>(topology.edges().size()); ++e) {
-        walks.clear();
-        for (const int h : topology.edge_half_edges(e)) {
+        // The half-edge ids are those before flipping: find this edge's direction in the triangle as it is now.
+        const Edge edge = topology.edges()[z(e)];
+        const auto direction = [&](int h) {
             const Tri& t = mesh.triangles[z(h / 3)];
-            // The half-edge ids are those before flipping: find this edge's direction in the triangle as it
-            // is now.
-            const Edge edge = topology.edges()[z(e)];
-            int direction = -1;
             for (std::size_t k = 0; k < 3; ++k)
                 if (t[k] == edge.a && t[(k + 1) % 3] == edge.b)
-                    direction = 1;
-            walks.emplace_back(label[z(h / 3)], direction);
+                    return 1;
+            return -1;
+        };
+        const auto row = topology.edge_half_edges(e);
+        if (row.size() == 2) { // nearly all of them
+            const int first = label[z(row[0] / 3)], second = label[z(row[1] / 3)];
+            if (first != second || direction(row[0]) == direction(row[1]))
+                unbalanced[z(first)] = unbalanced[z(second)] = 1;
+            continue;
         }
+        walks.clear();
+        for (const int h : row)
+            walks.emplace_back(label[z(h / 3)], direction(h));
         std::sort(walks.begin(), walks.end());
         for (std::size_t i = 0; i < walks.size();) {
             int net = 0;
@@ -203,10 +210,14 @@ void turn_outwards(TriMesh& mesh, std::vector<ClosedPart>& parts, OrientationCha
 
 OrientationChanges orient(TriMesh& mesh) {
     OrientationChanges changes;
-    const MeshTopology topology(mesh.vertex_count(), mesh.triangles);
+    MeshTopology topology(mesh.vertex_count(), mesh.triangles);
     const Patches patches = make_consistent(mesh, topology, changes);
     std::vector<ClosedPart> parts = closed_parts(mesh, topology, patches);
     turn_outwards(mesh, parts, changes);
+    changes.turned =
+        changes.inconsistent_triangles > 0 ||
+        std::any_of(parts.begin(), parts.end(), [](const ClosedPart& part) { return part.flipped; });
+    changes.topology = std::move(topology);
     return changes;
 }
 

@@ -2,6 +2,7 @@
 
 #include "fascicle/base/error.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -30,6 +31,9 @@ std::string read_file(const fs::path& path, std::size_t max_bytes) {
     if (!stream)
         throw_error(path.string(), "cannot read: " + reason());
     std::string bytes;
+    if (fs::is_regular_file(status)) // a promise only: a file may grow, and some tell 0
+        if (const std::uintmax_t size = fs::file_size(path, code); !code)
+            bytes.reserve(static_cast<std::size_t>(std::min<std::uintmax_t>(size, max_bytes)));
     char block[1 << 16];
     while (stream.read(block, sizeof block) || stream.gcount() > 0) {
         bytes.append(block, static_cast<std::size_t>(stream.gcount()));

@@ -1,6 +1,7 @@
 #include "fascicle/io/load_scene.hpp"
 
 #include "fascicle/base/error.hpp"
+#include "fascicle/base/parallel.hpp"
 #include "fascicle/base/param_table.hpp"
 #include "fascicle/base/state_hash.hpp"
 #include "fascicle/geometry/bounding_box.hpp"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <numbers>
 #include <set>
 
@@ -152,18 +154,35 @@ void set_motion(LoadedScene& loaded, const SceneRequest& r) {
 LoadedScene load_meshes(const SceneRequest& r, const JobControl& control) {
     LoadedScene loaded;
     Scene& scene = loaded.scene;
-    const double total = static_cast<double>(r.muscles.size() + r.bones.size() + r.moving_bones.size() +
-                                             r.attachments.size() + r.surface_fibres.size());
+    const std::size_t bones = r.bones.size() + r.moving_bones.size(), meshes = bones + r.muscles.size();
+    const double total = static_cast<double>(meshes + r.attachments.size() + r.surface_fibres.size());
     double done = 0;
     const auto step = [&] { control.checkpoint("read", done++ / total); };
-    for (const auto* list : {&r.bones, &r.moving_bones})
-        for (const fs::path& path : *list) {
-            step();
-            scene.bones.push_back(load_bone(path, loaded.notes));
-        }
-    for (const fs::path& path : r.muscles) {
+    // All meshes at once; what is said, and which error counts, is as if they came one after the other.
+    scene.bones.resize(bones);
+    scene.muscles.resize(r.muscles.size());
+    std::vector<std::vector<std::string>> notes(meshes);
+    std::vector<std::exception_ptr> errors(meshes);
+    control.checkpoint("read", 0.0);
+    parallel_for(r.threads, meshes, 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            try {
+                if (control.cancelled())
+                    throw Cancelled();
+                if (i >= bones)
+                    scene.muscles[i - bones] = load_muscle(r.muscles[i - bones], notes[i]);
+                else
+                    scene.bones[i] = load_bone(
+                        i < r.bones.size() ? r.bones[i] : r.moving_bones[i - r.bones.size()], notes[i]);
+            } catch (...) {
+                errors[i] = std::current_exception();
+            }
+    });
+    for (std::size_t i = 0; i < meshes; ++i) {
+        if (errors[i])
+            std::rethrow_exception(errors[i]);
+        loaded.notes.insert(loaded.notes.end(), notes[i].begin(), notes[i].end());
         step();
-        scene.muscles.push_back(load_muscle(path, loaded.notes));
     }
     require_unique_names(scene);
     scene.name = scene.muscles.empty() ? scene.bones[0].name : scene.muscles[0].name;

@@ -46,28 +46,61 @@ struct PreparedBones {
     std::vector<std::shared_ptr<const DistanceGrid>> grids; ///< empty when the method needs none
 };
 
-std::shared_ptr<const DistanceGrid> cached_grid(const TriMesh& mesh, const DistanceGridOptions& options,
-                                                const JobControl& control, BlobStore* cache) {
-    const std::string key = cache != nullptr ? grid_key(mesh, options) : std::string();
+DistanceGridOptions grid_options(const Scene& scene, int threads) {
+    const double unit_mm = millimetres_per_unit(scene.unit);
+    DistanceGridOptions options;
+    options.spacing = scene.parameters.get("contact.grid_mm") / unit_mm;
+    options.saturation = 8.0 * std::max(1.0, scene.parameters.get("contact.grid_mm")) / unit_mm;
+    options.threads = threads;
+    return options;
+}
+
+/// Null when the cache (which may be null) has none.
+std::shared_ptr<const DistanceGrid> find_grid(const TriMesh& mesh, const DistanceGridOptions& options,
+                                              BlobStore* cache) {
     if (cache != nullptr)
-        if (const auto bytes = cache->find(key))
-            if (auto grid = decode_grid(*bytes, options.max_nodes, options.threads))
+        if (const auto bytes = cache->find(grid_key(mesh, options)))
+            if (auto grid = decode_grid(*bytes, options.max_nodes))
                 return std::make_shared<const DistanceGrid>(std::move(*grid));
-    auto grid = std::make_shared<const DistanceGrid>(mesh, options, control);
-    if (cache != nullptr)
-        cache->keep(key, encode_grid(*grid));
-    return grid;
+    return nullptr;
+}
+
+/// Makes the grids that are still missing, one after the other, each on all threads.
+void make_grids(const Scene& scene, const DistanceGridOptions& options, const JobControl& control,
+                BlobStore* cache, PreparedBones& bones) {
+    for (std::size_t b = 0; b < scene.bones.size(); ++b) {
+        if (bones.grids[b] != nullptr)
+            continue;
+        JobControl part = control;
+        part.report = [&](std::string_view, double f) {
+            if (control.report)
+                control.report("prepare", 0.1 + 0.7 * (double(b) + f) / double(scene.bones.size()));
+        };
+        bones.grids[b] = std::make_shared<const DistanceGrid>(*scene.bones[b].mesh, options, part);
+        if (cache != nullptr)
+            cache->keep(grid_key(*scene.bones[b].mesh, options), encode_grid(*bones.grids[b]));
+    }
 }
 
 PreparedBones prepare_bones(const Scene& scene, bool grids, int threads, const JobControl& control,
                             BlobStore* cache, std::vector<std::string>& notes, Lap& lap) {
+    const std::size_t count = scene.bones.size();
     PreparedBones bones;
-    bones.trees.reserve(scene.bones.size());
-    for (const Bone& bone : scene.bones) {
-        bones.trees.emplace_back(*bone.mesh);
-        control.checkpoint("prepare", 0.1);
-    }
-    for (std::size_t b = 0; b < scene.bones.size(); ++b) {
+    bones.trees.resize(count);
+    bones.grids.resize(grids ? count : 0);
+    const DistanceGridOptions options = grid_options(scene, threads);
+    // Trees, and grids as far as they are found in the cache: side by side, since each is work for one thread.
+    parallel_for(threads, count + bones.grids.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            if (control.cancelled())
+                throw Cancelled();
+            else if (i < count)
+                bones.trees[i] = TriangleBvh(*scene.bones[i].mesh);
+            else
+                bones.grids[i - count] = find_grid(*scene.bones[i - count].mesh, options, cache);
+    });
+    control.checkpoint("prepare", 0.1);
+    for (std::size_t b = 0; b < count; ++b) {
         const bool moves = b < scene.timeline.bone_tracks.size() && scene.timeline.bone_tracks[b].moves();
         bones.queries.push_back({[tree = &bones.trees[b]](const Vec3& p, double limit) {
                                      return std::sqrt(
@@ -76,23 +109,16 @@ PreparedBones prepare_bones(const Scene& scene, bool grids, int threads, const J
                                  moves});
     }
     lap.end("trees");
-    const double unit_mm = millimetres_per_unit(scene.unit);
-    for (std::size_t b = 0; b < scene.bones.size() && grids; ++b) {
-        DistanceGridOptions options;
-        options.spacing = scene.parameters.get("contact.grid_mm") / unit_mm;
-        options.saturation = 8.0 * std::max(1.0, scene.parameters.get("contact.grid_mm")) / unit_mm;
-        options.threads = threads;
-        JobControl part = control;
-        part.report = [&](std::string_view, double f) {
-            if (control.report)
-                control.report("prepare", 0.1 + 0.7 * (double(b) + f) / double(scene.bones.size()));
-        };
-        bones.grids.push_back(cached_grid(*scene.bones[b].mesh, options, part, cache));
-        if (bones.grids.back()->spacing() > 1.01 * options.spacing)
+    if (!grids)
+        return bones;
+    make_grids(scene, options, control, cache, bones);
+    for (std::size_t b = 0; b < count; ++b)
+        if (bones.grids[b]->spacing() > 1.01 * options.spacing) {
+            const double unit_mm = millimetres_per_unit(scene.unit);
             notes.push_back(scene.bones[b].name + ": distance grid of " +
-                            millimetres(bones.grids.back()->spacing() * unit_mm) + " instead of the wanted " +
+                            millimetres(bones.grids[b]->spacing() * unit_mm) + " instead of the wanted " +
                             millimetres(options.spacing * unit_mm) + ", to stay within memory");
-    }
+        }
     lap.end("grids");
     return bones;
 }

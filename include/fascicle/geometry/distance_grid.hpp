@@ -43,16 +43,7 @@ public:
         Cell cell;
         if (!locate(p, cell))
             return {saturation_, Vec3::Zero()};
-        const auto [x, y, z] = cell.share;
-        const double d00 = cell.at[1] - cell.at[0], d10 = cell.at[3] - cell.at[2];
-        const double d01 = cell.at[5] - cell.at[4], d11 = cell.at[7] - cell.at[6];
-        const double v00 = cell.at[0] + x * d00, v10 = cell.at[2] + x * d10;
-        const double v01 = cell.at[4] + x * d01, v11 = cell.at[6] + x * d11;
-        const double v0 = v00 + y * (v10 - v00), v1 = v01 + y * (v11 - v01);
-        const double dx0 = d00 + y * (d10 - d00), dx1 = d01 + y * (d11 - d01);
-        const double dy0 = v10 - v00, dy1 = v11 - v01;
-        return {v0 + z * (v1 - v0),
-                per_spacing_ * Vec3(dx0 + z * (dx1 - dx0), dy0 + z * (dy1 - dy0), v1 - v0)};
+        return interpolate(cell);
     }
     /// sample(p).value, to the last bit.
     double value(const Vec3& p) const {
@@ -97,6 +88,18 @@ private:
         return static_cast<std::size_t>(i) + step_y_ * static_cast<std::size_t>(j) +
                step_z_ * static_cast<std::size_t>(k);
     }
+    DistanceSample interpolate(const Cell& cell) const {
+        const auto [x, y, z] = cell.share;
+        const double d00 = cell.at[1] - cell.at[0], d10 = cell.at[3] - cell.at[2];
+        const double d01 = cell.at[5] - cell.at[4], d11 = cell.at[7] - cell.at[6];
+        const double v00 = cell.at[0] + x * d00, v10 = cell.at[2] + x * d10;
+        const double v01 = cell.at[4] + x * d01, v11 = cell.at[6] + x * d11;
+        const double v0 = v00 + y * (v10 - v00), v1 = v01 + y * (v11 - v01);
+        const double dx0 = d00 + y * (d10 - d00), dx1 = d01 + y * (d11 - d01);
+        const double dy0 = v10 - v00, dy1 = v11 - v01;
+        return {v0 + z * (v1 - v0),
+                per_spacing_ * Vec3(dx0 + z * (dx1 - dx0), dy0 + z * (dy1 - dy0), v1 - v0)};
+    }
     /// Lowest corner of the cell of p; false outside of the grid and for NaN.
     bool locate_corner(const Vec3& p, std::size_t& corner, std::array<double, 3>& share) const {
         const double x = (p.x() - low_.x()) * per_spacing_;
@@ -112,6 +115,9 @@ private:
     }
     bool locate(const Vec3& p, Cell& cell) const {
         std::size_t corner = 0;
+        return locate(p, cell, corner);
+    }
+    bool locate(const Vec3& p, Cell& cell, std::size_t& corner) const {
         if (!locate_corner(p, corner, cell.share))
             return false;
         const float* v = values_.data() + corner;

@@ -28,7 +28,7 @@ struct SceneRequest {
     std::vector<std::pair<std::string, std::filesystem::path>> attachments;    ///< muscle name, CSV
     std::vector<std::pair<std::string, std::filesystem::path>> surface_fibres; ///< muscle name, polylines
     std::optional<LengthUnit> unit;
-    int threads = 1; ///< for making embedded scenes; changes nothing in the result
+    int threads = 1; ///< for reading and for making embedded scenes; changes nothing in the result
 };
 
 struct LoadedScene {

@@ -53,9 +53,16 @@ private:
 };
 
 std::string_view take_word(std::string_view& text) {
-    text = text.substr(std::min(text.size(), text.find_first_not_of(" \t")));
-    const std::string_view word = text.substr(0, text.find_first_of(" \t"));
-    text.remove_prefix(word.size());
+    // Loops, because std::string_view's searches for one of several characters are slow for words this short.
+    const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
+    std::size_t begin = 0;
+    while (begin < text.size() && is_blank(text[begin]))
+        ++begin;
+    std::size_t end = begin;
+    while (end < text.size() && !is_blank(text[end]))
+        ++end;
+    const std::string_view word = text.substr(begin, end - begin);
+    text.remove_prefix(end);
     return word;
 }
 
