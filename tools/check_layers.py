@@ -34,7 +34,7 @@ ONLY_IN = [
     (re.compile(r"^glm/"), {"view", "render", "editor", "app"}),
     (re.compile(r"^nlohmann/"), {"io", "document", "bench", "app"}),
     (re.compile(r"^tbb/"), {"base"}),
-    (re.compile(r"^bullet/|^bt[A-Z]|^BulletSoftBody/"), {"bench"}),
+    (re.compile(r"^(Bullet[A-Z]\w*/|LinearMath/|bt[A-Z])"), {"bench"}),
     (re.compile(r"^CLI/"), {"app"}),
     (re.compile(r"^(tiny_obj_loader|stb_)"), {"io", "render"}),
 ]

@@ -19,6 +19,10 @@ const std::vector<Command>& commands() {
          "  fascicle render --scene squish-box --frame 100 --colour strain --out box.png",
          add_render},
 #endif
+        {"bench", "Measure how fast everything is on this machine",
+         "  fascicle bench\n"
+         "  fascicle bench --case gluteus_maximus --part frames --json gluteus.json",
+         add_bench},
         {"parameters", "List every parameter of a simulation",
          "  fascicle parameters\n"
          "  fascicle parameters --markdown > docs/parameters.md",
