@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
+#include <numeric>
 
 namespace fascicle::bench {
 
@@ -85,11 +87,14 @@ FrameRow time_frames(const Scene& scene, const MakeBody& make, const Variant& va
     row.threads = variant.threads;
     row.passes = variant.passes;
     std::vector<double> seconds;
+    double processor = 0;
     std::map<std::string, std::vector<double>> stages;
     for (int r = 0; r < settings.runs; ++r) {
         control.checkpoint(stage, double(r) / settings.runs);
         const std::unique_ptr<BenchBody> body = make();
+        const std::clock_t before = std::clock(); // of all threads
         seconds.push_back(run(*body, poses, frames, control));
+        processor += double(std::clock() - before) / CLOCKS_PER_SEC;
         for (const auto& [name, spent] : body->stage_seconds())
             stages[name].push_back(spent);
         if (r + 1 < settings.runs)
@@ -100,6 +105,8 @@ FrameRow time_frames(const Scene& scene, const MakeBody& make, const Variant& va
     }
     const double passes = double(frames) * variant.passes;
     row.rate = spread_of_rates(frames, seconds);
+    row.processor_share =
+        processor / (variant.threads * std::accumulate(seconds.begin(), seconds.end(), 0.0));
     for (const double s : seconds)
         row.run_rates.push_back(frames / s);
     row.pass_us = 1e6 * spread_of(seconds).median / passes;

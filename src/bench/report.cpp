@@ -42,7 +42,7 @@ void add_ratios(Report& report) {
 void add_spread_warning(Report& report) {
     int undecided = 0;
     for (const FrameRow& row : report.frames)
-        undecided += row.rate.undecided();
+        undecided += row.undecided();
     for (const ScalingRow& row : report.scaling)
         undecided += row.ns.undecided();
     for (const PrepareRow& row : report.prepare)
@@ -50,8 +50,9 @@ void add_spread_warning(Report& report) {
     for (const LimitRow& row : report.limits)
         undecided += row.value.undecided();
     if (undecided > 0)
-        report.warnings.push_back("figures undecided: " + std::to_string(undecided) +
-                                  " with runs more than 20 % apart, marked with ?");
+        report.warnings.push_back(
+            "figures undecided: " + std::to_string(undecided) +
+            ", marked with ?: runs more than 20 % apart, or other programs on the processor");
 }
 
 } // namespace fascicle::bench

@@ -16,6 +16,9 @@ namespace fascicle::bench {
 /// the same run is the fair one.
 inline constexpr double published_frames_per_second = 52.6;
 
+/// Least share of a processor that a single thread must have got.
+inline constexpr double least_share = 0.95;
+
 struct CaseInfo {
     std::string name;
     int muscles = 0;
@@ -32,12 +35,17 @@ struct FrameRow {
     int passes = 0;                ///< substeps, inner loops or iterations a frame
     std::vector<double> run_rates; ///< frames/s of every run, in the order of the runs
     Spread rate;                   ///< frames/s
+    double processor_share = 1;    ///< processor time of the program by time of the runs and threads
     std::optional<double> times_published;
     std::optional<double> times_classic;      ///< median against the median of classic on the same case
     double pass_us = 0;                       ///< microseconds a pass, of the median run
     std::map<std::string, double> stage_us;   ///< the same by stage, as far as the method tells
     std::optional<double> bytes_per_triangle; ///< of solver state
     std::string state_hash;                   ///< of the last frame's positions
+
+    /// Runs far apart, or others took the processor away from a single thread: a steady second program slows all runs
+    /// alike. Several threads may have reasons of their own to wait.
+    bool undecided() const { return rate.undecided() || (threads == 1 && processor_share < least_share); }
 };
 
 struct ScalingRow {

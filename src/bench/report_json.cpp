@@ -48,7 +48,8 @@ Json frame_json(const FrameRow& row) {
             {"stage_us", row.stage_us},
             {"bytes_per_triangle", or_null(row.bytes_per_triangle)},
             {"state_hash", row.state_hash},
-            {"undecided", row.rate.undecided()}};
+            {"processor_share", row.processor_share},
+            {"undecided", row.undecided()}};
 }
 
 Json scaling_json(const ScalingRow& row) {

@@ -29,8 +29,12 @@ std::string times(double value) {
     return figure(value) + "x";
 }
 
+std::string range(const Spread& spread, bool undecided) {
+    return figure(spread.min) + "-" + figure(spread.max) + (undecided ? " ?" : "");
+}
+
 std::string range(const Spread& spread) {
-    return figure(spread.min) + "-" + figure(spread.max) + (spread.undecided() ? " ?" : "");
+    return range(spread, spread.undecided());
 }
 
 /// Columns as wide as their widest cell; numbers to the right, the first `left` columns to the left.
@@ -72,9 +76,9 @@ std::string frames_table(const Report& report) {
                              "classic", "us/pass", "bytes/triangle"}};
     for (const FrameRow& row : report.frames)
         rows.push_back({row.case_name, row.method, std::to_string(row.passes), std::to_string(row.threads),
-                        figure(row.rate.median), range(row.rate), or_dash(row.times_published, times),
-                        or_dash(row.times_classic, times), figure(row.pass_us),
-                        or_dash(row.bytes_per_triangle, figure)});
+                        figure(row.rate.median), range(row.rate, row.undecided()),
+                        or_dash(row.times_published, times), or_dash(row.times_classic, times),
+                        figure(row.pass_us), or_dash(row.bytes_per_triangle, figure)});
     return table(rows, 2);
 }
 

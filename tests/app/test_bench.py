@@ -1,9 +1,11 @@
 """fascicle bench --short: what it prints and writes. Never how fast anything is."""
 import json
+import signal
 import statistics
+import subprocess
 import unittest
 
-from program import ProgramTest
+from program import PROGRAM, ProgramTest, file_hashes
 
 SPREAD = {"median", "min", "max", "runs"}
 
@@ -90,8 +92,19 @@ class BenchTest(ProgramTest):
         self.check_error(2, ["--part", "got 'x'"], "bench", "--part", "x")
         self.check_error(2, ["--threads", "got '0'"], "bench", "--threads", "1,0")
         self.check_error(2, ["--data", "no folder"], "bench", "--data", "nowhere")
-        self.check_error(1, ["bench.json"], "bench", "--short", "--quiet", "--case", "squish-box", "--part", "frames",
+        self.check_error(1, ["/proc/none", "cannot"], "bench", "--short", "--quiet", "--case", "squish-box", "--part", "frames",
                          "--method", "classic", "--json", "/proc/none/bench.json")
+
+    def test_an_interrupt_ends_it_and_leaves_nothing(self):
+        process = subprocess.Popen([PROGRAM, "bench", "--case", "squish-box", "--part", "frames", "--runs", "1000"],
+                                   cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(process.kill)
+        while "classic" not in (line := process.stdout.readline()):  # progress: frames are being timed
+            self.assertNotEqual(line, "", "ended by itself")
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, errors), (1, "fascicle: bench: cancelled; nothing was written\n"))
+        self.assertEqual(file_hashes(self.folder), {})
 
 
 if __name__ == "__main__":

@@ -65,7 +65,14 @@ TEST_CASE("runs far apart are said once, and marked in the table", "[bench][repo
     report.frames[0].rate = spread_of({50, 90});
     add_spread_warning(report);
     REQUIRE(report.warnings.size() == 1);
+    CHECK(report.frames[0].undecided());
     const std::string text = report_table(report);
     CHECK(text.find("50.0-90.0 ?") != std::string::npos);
     CHECK(text.find("figures undecided: 1") != std::string::npos);
+
+    FrameRow slowed = frame_row("box", "classic", 50); // runs alike, but by half a processor
+    slowed.processor_share = 0.5;
+    CHECK(slowed.undecided());
+    slowed.threads = 2;
+    CHECK_FALSE(slowed.undecided());
 }
