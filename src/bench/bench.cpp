@@ -6,6 +6,7 @@
 #include "bench/machine_limits.hpp"
 #include "bench/prepare_bench.hpp"
 #include "bench/scaling_bench.hpp"
+#include "fascicle/io/disk_cache.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -96,7 +97,7 @@ private:
         JobControl part;
         part.cancel = control_.cancel;
         control_.checkpoint(scene.name + ": prepare", 0.0);
-        return prepare_scene(own, options_.threads.back(), part);
+        return prepare_scene(own, options_.threads.back(), part, open_cache().get());
     }
 
     void measure_case(const BenchCase& bench_case) {

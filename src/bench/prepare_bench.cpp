@@ -1,11 +1,10 @@
 #include "bench/prepare_bench.hpp"
 
+#include "fascicle/io/disk_cache.hpp"
 #include "fascicle/simulation/scene_solver.hpp"
 
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
-#include <optional>
 #include <unistd.h>
 
 namespace fascicle::bench {
@@ -19,44 +18,40 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// An empty folder that FASCICLE_CACHE names as long as this lives.
-class OwnCache {
+/// An empty folder as long as this lives.
+class OwnFolder {
 public:
-    OwnCache() : folder_(fs::temp_directory_path() / ("fascicle-bench-" + std::to_string(::getpid()))) {
-        if (const char* set = std::getenv(variable))
-            before_ = set;
+    OwnFolder() : path_(fs::temp_directory_path() / ("fascicle-bench-" + std::to_string(::getpid()))) {
         clear();
-        ::setenv(variable, folder_.c_str(), 1);
     }
-    ~OwnCache() {
+    ~OwnFolder() {
         std::error_code ignored;
-        fs::remove_all(folder_, ignored);
-        before_ ? ::setenv(variable, before_->c_str(), 1) : ::unsetenv(variable);
+        fs::remove_all(path_, ignored);
     }
-    OwnCache(const OwnCache&) = delete;
-    OwnCache& operator=(const OwnCache&) = delete;
+    OwnFolder(const OwnFolder&) = delete;
+    OwnFolder& operator=(const OwnFolder&) = delete;
 
     void clear() {
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
+        fs::remove_all(path_);
+        fs::create_directories(path_);
     }
-    bool empty() const { return fs::is_empty(folder_); }
+    const fs::path& path() const { return path_; }
 
 private:
-    static constexpr const char* variable = "FASCICLE_CACHE";
-    fs::path folder_;
-    std::optional<std::string> before_;
+    fs::path path_;
 };
 
 std::map<std::string, double> prepare_once(const std::function<Scene(int threads)>& read_scene,
-                                           const Variant& variant, int threads, const JobControl& control) {
+                                           const Variant& variant, int threads, const fs::path& folder,
+                                           const JobControl& control) {
     JobControl silent;
     silent.cancel = control.cancel;
     auto start = Clock::now();
     Scene scene = read_scene(threads);
     apply(variant, scene.parameters);
     const double read = seconds_since(start);
-    const PreparedScene prepared = prepare_scene(scene, threads, silent);
+    DiskCache cache(folder);
+    const PreparedScene prepared = prepare_scene(scene, threads, silent, &cache);
     std::map<std::string, double> stages = prepared.stage_seconds;
     stages["read"] = read;
     start = Clock::now();
@@ -71,7 +66,7 @@ std::vector<PrepareRow> measure_prepare(const std::string& name,
                                         const std::function<Scene(int threads)>& read, const Variant& variant,
                                         const std::vector<int>& threads, int runs,
                                         const JobControl& control) {
-    OwnCache cache;
+    OwnFolder folder;
     std::vector<PrepareRow> rows;
     for (const int count : threads)
         for (const bool warm : {false, true}) {
@@ -85,9 +80,9 @@ std::vector<PrepareRow> measure_prepare(const std::string& name,
                                        (warm ? ", warm" : ""),
                                    double(r) / runs);
                 if (!warm)
-                    cache.clear();
+                    folder.clear();
                 const auto start = Clock::now();
-                const auto spent = prepare_once(read, variant, count, control);
+                const auto spent = prepare_once(read, variant, count, folder.path(), control);
                 seconds.push_back(seconds_since(start));
                 for (const auto& [stage, value] : spent)
                     stages[stage].push_back(value);
@@ -95,7 +90,7 @@ std::vector<PrepareRow> measure_prepare(const std::string& name,
             row.seconds = spread_of(seconds);
             for (const auto& [stage, values] : stages)
                 row.stage_seconds[stage] = spread_of(values).median;
-            row.cache = warm ? "warm" : cache.empty() ? "none" : "cold";
+            row.cache = warm ? "warm" : fs::is_empty(folder.path()) ? "none" : "cold";
             rows.push_back(row);
             if (row.cache == "none")
                 break;

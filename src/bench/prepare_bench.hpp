@@ -11,8 +11,8 @@
 namespace fascicle::bench {
 
 /// Reads (`read`, told the number of threads) and prepares a case `runs` times with each number of threads: with an empty folder for grids on disk ("cold"),
-/// and again with what the last cold run left there ("warm"). A program that leaves nothing has one row, "none". The
-/// folder is a temporary one, handed over by FASCICLE_CACHE and removed. Stages: read, those of prepare_scene, solvers.
+/// and again with what the last cold run left there ("warm"). A method that leaves nothing has one row, "none". The
+/// folder is a temporary one. Stages: read, those of prepare_scene, solvers.
 /// Throws Cancelled.
 std::vector<PrepareRow> measure_prepare(const std::string& name,
                                         const std::function<Scene(int threads)>& read, const Variant& variant,

@@ -62,8 +62,8 @@ struct ScalingRow {
 struct PrepareRow {
     std::string case_name;
     int threads = 1;
-    std::string cache; ///< "cold", "warm", or "none": the program keeps no grids on disk
-    Spread seconds;    ///< from reading files to solvers at rest
+    std::string cache;                           ///< "cold", "warm", or "none": nothing is kept on disk
+    Spread seconds;                              ///< from reading files to solvers at rest
     std::map<std::string, double> stage_seconds; ///< medians
 };
 
