@@ -3,11 +3,11 @@
 #include "fascicle/base/assert.hpp"
 #include "fascicle/base/bytes_of.hpp"
 #include "fascicle/base/parallel.hpp"
-#include "solver/compliance.hpp"
 #include "solver/constraints/dihedral.hpp"
 #include "solver/constraints/distance.hpp"
 #include "solver/constraints/volume.hpp"
 #include "solver/contact/solid_contact.hpp"
+#include "solver/edge_constraints.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -53,17 +53,9 @@ private:
 };
 
 DistanceConstraints make_edges(const SoftBodyProblem& problem, const MeshTopology& topology) {
-    const Points& rest = problem.surface->positions;
-    const double stiffness = problem.parameters.get("solver.stiffness");
     DistanceConstraints constraints;
-    for (std::size_t e = 0; e < topology.edges().size(); ++e) {
-        const Edge& edge = topology.edges()[e];
-        const double softness = problem.edge_softness.empty() ? 1.0 : problem.edge_softness[e];
-        const double length =
-            (rest[static_cast<std::size_t>(edge.a)] - rest[static_cast<std::size_t>(edge.b)]).norm();
-        // W = 2 for two free points of unit mass. The spring constant 1 / alpha is what k multiplies.
-        constraints.add({edge.a, edge.b, length, compliance_from_stiffness(stiffness, 2.0) / softness});
-    }
+    for (const DistanceConstraint& edge : make_edge_constraints(problem, problem.surface->positions, topology))
+        constraints.add(edge);
     return constraints;
 }
 

@@ -1,0 +1,119 @@
+#pragma once
+// How the fast kernel keeps its constraints and vertices: plain arrays in packets of 16, the same for every instruction set.
+// Widths follow the measurements in docs/performance.md: positions are records of four floats so that a
+// constraint loads its vertices with one aligned load each.
+
+#include <cstddef>
+#include <cstdint>
+
+namespace fascicle::solver::fast {
+
+inline constexpr std::size_t packet = 16;       ///< constraints, or vertices, side by side
+inline constexpr std::size_t chunk_groups = 16; ///< vertex groups whose sums are added up as one
+inline constexpr std::size_t chunk_vertices = packet * chunk_groups;
+inline constexpr std::size_t block_dummies = 16; ///< unmovable records behind every block, for padding
+
+/// Sixteen distance constraints with no vertex in common. Indices count from the first record of the set.
+struct alignas(64) EdgePacket {
+    float rest[packet];
+    float gain[packet]; ///< 1 / (wa + wb + alpha / h^2): the weights are known beforehand
+    std::uint16_t p[2][packet];
+};
+
+/// Sixteen dihedral constraints with no vertex in common; vertex roles as in Dihedral.
+struct alignas(64) HingePacket {
+    float cosine[packet], sine[packet]; ///< of the rest angle
+    float compliance[packet];           ///< alpha / h^2
+    std::uint16_t p[4][packet];
+};
+
+/// Sixteen vertices that follow each other in memory, apart from their position records.
+struct alignas(64) VertexGroup {
+    float start[3][packet];    ///< where the vertex was when the substep began
+    float carried[3][packet];  ///< start plus the share of the solids' motion: what the velocity is measured from
+    float gradient[3][packet]; ///< of the volume
+    float normal[3][packet];   ///< of the last contact, zero without one; read only when `touched`
+    std::uint32_t ring_base;   ///< record that the ring's indices count from
+    std::uint32_t ring_first;  ///< row of 16 in the list of ring indices
+    std::uint32_t ring_length; ///< rows: the ring's vertices in order, the first one repeated at the end
+    std::uint32_t touched;     ///< whether any vertex had a contact in the last substep
+};
+
+/// Vertices of one group that are fixed to one solid.
+struct alignas(64) FixedGroup {
+    float rest[3][packet];
+    std::uint32_t group;
+    std::uint32_t solid;
+    std::uint32_t mask; ///< bit i: vertex i of the group
+};
+
+/// A solid during one substep, in coordinates relative to the kernel's origin. 3 x 4 matrices are row-major, last column
+/// the shift.
+struct SolidStep {
+    const float* values;   ///< nodes of the distance grid, x fastest
+    int cells[3];          ///< cells along each axis
+    int step_y, step_z;    ///< nodes from one row, one layer, to the next
+    float to_grid[12];     ///< position -> grid coordinates in spacings, at the end of the substep
+    float turn[9];         ///< gradient per spacing in the rest frame -> gradient per length, now
+    float carry[12];       ///< displacement of a point that moves with the solid during the substep
+    float place[12];       ///< rest position -> position now
+    float saturation;
+    float per_slope;       ///< 1 / Lipschitz constant of the interpolant
+    bool moves;            ///< carry is not zero
+};
+
+/// What a substep does with every vertex after the constraints.
+struct StepSettings {
+    float offset;       ///< wanted distance to solids
+    float friction;
+    float keep;         ///< exp(-damping h)
+    float volume_gain;  ///< multiplier of the volume gradient, already limited
+    float volume_error; ///< its sign says which way vertices in contact must not be pushed
+    int solids;
+};
+
+/// Sums over a chunk of vertices for the volume constraint.
+struct VolumeSums {
+    double volume = 0;
+    double weight_grow = 0;   ///< sum of w |g|^2 with the part into contacts left out when the volume is too small
+    double weight_shrink = 0; ///< the same when it is too large
+};
+
+/// Sums over a chunk for the report.
+struct ContactSums {
+    std::int64_t contacts = 0;
+    std::int64_t unresolved = 0;
+    std::int64_t non_finite = 0;
+};
+
+/// Arrays of all vertices, by group.
+struct VertexArrays {
+    float* records = nullptr; ///< x, y, z, inverse mass
+    VertexGroup* groups = nullptr;
+    float* slack = nullptr;       ///< solids x 16 per group: how far a vertex may travel before the solid can matter
+    const float* carry = nullptr; ///< solids x 16 per group, or null: share of a solid's motion
+    const std::uint16_t* rings = nullptr;
+};
+
+/// The kernels of one instruction set. begin and end count vertex groups, or packets.
+struct Kernels {
+    const char* name;
+    int lanes;
+    void (*edges)(float* records, const EdgePacket* packets, std::size_t count);
+    void (*hinges)(float* records, const HingePacket* packets, std::size_t count);
+    void (*volume)(const VertexArrays& v, std::size_t begin, std::size_t end, VolumeSums& sums);
+    void (*finish)(const VertexArrays& v, std::size_t begin, std::size_t end, const SolidStep* solids,
+                   const StepSettings& settings, ContactSums& sums);
+    void (*predict)(const VertexArrays& v, std::size_t begin, std::size_t end, const SolidStep* solids,
+                    const StepSettings& settings);
+    void (*place)(const VertexArrays& v, const FixedGroup* fixed, std::size_t count, const SolidStep* solids);
+};
+
+/// Fastest first; only those that this processor can run.
+std::size_t available_kernels(const Kernels** list, std::size_t capacity);
+
+const Kernels& kernels_portable();
+const Kernels& kernels_avx2();
+const Kernels& kernels_avx512();
+
+} // namespace fascicle::solver::fast
