@@ -3,6 +3,8 @@
 #include "fascicle/base/assert.hpp"
 #include "fascicle/base/parallel.hpp"
 
+#include <algorithm>
+
 namespace fascicle {
 
 std::vector<Pose> bone_poses(const Scene& scene, int frame) {
@@ -16,7 +18,7 @@ SceneSolver::SceneSolver(const Scene& scene, const PreparedScene& prepared, int 
     FASCICLE_ASSERT(prepared.method != nullptr && prepared.muscles.size() == scene.muscles.size());
     for (const PreparedMuscle& muscle : prepared.muscles) {
         SoftBodyProblem problem = muscle.problem;
-        problem.threads = prepared.muscles.size() == 1 ? threads : 1;
+        problem.threads = std::max(1, threads / static_cast<int>(prepared.muscles.size()));
         solvers_.push_back(prepared.method->make(problem));
     }
 }

@@ -6,6 +6,7 @@
 #include "fascicle/geometry/tri_mesh.hpp"
 
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace fascicle {
@@ -66,6 +67,8 @@ public:
     const Vec3& low() const { return low_; }
     /// Value of node (i, j, k).
     double node_value(int i, int j, int k) const { return values_[index(i, j, k)]; }
+    /// All node values, x fastest.
+    std::span<const float> values() const { return values_; }
     /// Largest and mean lowering of nodes near the surface (corners of cells that the surface passes), scene
     /// units: how far the zero set stands off the surface.
     double correction_max() const { return correction_max_; }

@@ -10,8 +10,8 @@ std::vector<Pose> bone_poses(const Scene& scene, int frame);
 
 class SceneSolver {
 public:
-    /// Makes one solver per muscle, at rest. `prepared` is only read: it may serve several solvers. One muscle gets all
-    /// threads; several share them, a muscle each.
+    /// Makes one solver per muscle, at rest. `prepared` is only read: it may serve several solvers. Several muscles
+    /// run at once and share the threads evenly.
     SceneSolver(const Scene& scene, const PreparedScene& prepared, int threads);
 
     /// Advances all muscles by one frame; B poses each, one per bone, from rest.

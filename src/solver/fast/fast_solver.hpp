@@ -10,6 +10,7 @@ namespace fascicle::solver {
 
 /// Null when the mesh does not suit it (see fast::make_plan); the plain kernel takes any.
 /// kernels: of one instruction set; null takes the fastest that the processor has.
-std::unique_ptr<SoftBodySolver> make_fast_solver(const SoftBodyProblem& problem, const fast::Kernels* kernels = nullptr);
+std::unique_ptr<SoftBodySolver> make_fast_solver(const SoftBodyProblem& problem,
+                                                 const fast::Kernels* kernels = nullptr);
 
 } // namespace fascicle::solver

@@ -43,7 +43,8 @@ void project_edges(float* records, const EdgePacket* packets, std::size_t count)
             const V rest = L::load(e.rest + q);
             const V length = L::sqrt(L::fma(t[0], t[0], L::fma(t[1], t[1], t[2] * t[2])));
             V f = (rest - length) * L::load(e.gain + q) / length;
-            f = length > rest * L::splat(1e-9f) ? f : L::splat(0.0f);
+            // Not finite either: then the records' weights must stay, so that finish_substep can refuse the points.
+            f = (length > rest * L::splat(1e-9f)) & (length < L::splat(1e18f)) ? f : L::splat(0.0f);
             const V g[4] = {L::template spread<0>(f), L::template spread<1>(f), L::template spread<2>(f),
                             L::template spread<3>(f)};
             for (int k = 0; k < 4; ++k) {

@@ -9,8 +9,9 @@ namespace fascicle::solver::fast {
 template <class L>
 inline Vec<L> affine(const float m[12], const Vec<L>& x) {
     const auto row = [&](int r) {
-        return L::fma(L::splat(m[4 * r]), x.x,
-                      L::fma(L::splat(m[4 * r + 1]), x.y, L::fma(L::splat(m[4 * r + 2]), x.z, L::splat(m[4 * r + 3]))));
+        return L::fma(
+            L::splat(m[4 * r]), x.x,
+            L::fma(L::splat(m[4 * r + 1]), x.y, L::fma(L::splat(m[4 * r + 2]), x.z, L::splat(m[4 * r + 3]))));
     };
     return {row(0), row(1), row(2)};
 }
@@ -113,7 +114,8 @@ inline void sample_grid(const SolidStep& solid, const Vec<L>& p, typename L::V& 
     const V a4 = L::gather(base, corner), a5 = L::gather(base + 1, corner);
     const V a6 = L::gather(base + solid.step_y, corner), a7 = L::gather(base + solid.step_y + 1, corner);
     const V d00 = a1 - a0, d10 = a3 - a2, d01 = a5 - a4, d11 = a7 - a6;
-    const V v00 = L::fma(x, d00, a0), v10 = L::fma(x, d10, a2), v01 = L::fma(x, d01, a4), v11 = L::fma(x, d11, a6);
+    const V v00 = L::fma(x, d00, a0), v10 = L::fma(x, d10, a2), v01 = L::fma(x, d01, a4),
+            v11 = L::fma(x, d11, a6);
     const V e0 = v10 - v00, e1 = v11 - v01;
     const V v0 = L::fma(y, e0, v00), v1 = L::fma(y, e1, v01);
     const V f0 = L::fma(y, d10 - d00, d00), f1 = L::fma(y, d11 - d01, d01);
@@ -121,15 +123,15 @@ inline void sample_grid(const SolidStep& solid, const Vec<L>& p, typename L::V& 
     gradient = select<L>(inside, {L::fma(z, f1 - f0, f0), L::fma(z, e1 - e0, e0), v1 - v0}, gradient);
 }
 
-inline constexpr int contact_passes = 4;     ///< as ContactSettings::passes
+inline constexpr int contact_passes = 4;      ///< as ContactSettings::passes
 inline constexpr float least_gradient = 0.3f; ///< below, a gradient says nothing about the way out
 
 /// Puts the free lanes of x out of all solids, as resolve_contact does; a solid is looked up only where the slack is used up.
 /// slack: of this group, lanes q on, a row of 16 per solid.
 template <class L>
-inline void resolve_contacts(const SolidStep* solids, const StepSettings& s, typename L::I free, const Vec<L>& start,
-                             float* slack, std::size_t q, Vec<L>& x, Vec<L>& normal, typename L::I& touched,
-                             ContactSums& sums) {
+inline void resolve_contacts(const SolidStep* solids, const StepSettings& s, typename L::I free,
+                             const Vec<L>& start, float* slack, std::size_t q, Vec<L>& x, Vec<L>& normal,
+                             typename L::I& touched, ContactSums& sums) {
     using V = typename L::V;
     using I = typename L::I;
     const V zero = L::splat(0.0f), one = L::splat(1.0f), offset = L::splat(s.offset);
@@ -176,7 +178,8 @@ inline void resolve_contacts(const SolidStep* solids, const StepSettings& s, typ
                     V share = L::splat(s.friction) * push / (length > zero ? length : one);
                     share = share < one ? share : one;
                     share = (near & ~lost) ? share : zero;
-                    x = {L::fnma(share, slip.x, x.x), L::fnma(share, slip.y, x.y), L::fnma(share, slip.z, x.z)};
+                    x = {L::fnma(share, slip.x, x.x), L::fnma(share, slip.y, x.y),
+                         L::fnma(share, slip.z, x.z)};
                 }
                 // No direction to trust: it was outside before, so where the solid would have taken it is outside.
                 x = select<L>(lost, with, x);
@@ -223,7 +226,8 @@ void finish_substep(const VertexArrays& v, std::size_t begin, std::size_t end, c
                             L::fnma(along, n.z, gradient.z)};
             }
             const V step = r[3] * gain;
-            Vec<L> x{L::fma(step, gradient.x, r[0]), L::fma(step, gradient.y, r[1]), L::fma(step, gradient.z, r[2])};
+            Vec<L> x{L::fma(step, gradient.x, r[0]), L::fma(step, gradient.y, r[1]),
+                     L::fma(step, gradient.z, r[2])};
             const Vec<L> start = load_vec<L>(group.start, q);
             Vec<L> normal{zero, zero, zero};
             I touched = L::splat_int(0);
@@ -233,11 +237,14 @@ void finish_substep(const VertexArrays& v, std::size_t begin, std::size_t end, c
                     const Vec<L> d = affine<L>(solids[b].carry, start);
                     way = way - d;
                 }
-                float* left = v.slack + packet * (g * static_cast<std::size_t>(s.solids) + static_cast<std::size_t>(b)) + q;
+                float* left =
+                    v.slack +
+                    packet * (g * static_cast<std::size_t>(s.solids) + static_cast<std::size_t>(b)) + q;
                 L::store(left, L::load(left) - L::sqrt(dot(way, way)));
             }
-            resolve_contacts<L>(solids, s, free, start, v.slack + packet * g * static_cast<std::size_t>(s.solids), q, x,
-                                normal, touched, sums);
+            resolve_contacts<L>(solids, s, free, start,
+                                v.slack + packet * g * static_cast<std::size_t>(s.solids), q, x, normal,
+                                touched, sums);
             store_vec<L>(group.normal, q, normal);
             any_touched |= touched;
             const V check = (x.x - x.x) + (x.y - x.y) + (x.z - x.z); // zero, or NaN
@@ -276,7 +283,9 @@ void predict_substep(const VertexArrays& v, std::size_t begin, std::size_t end, 
                 for (int b = 0; b < s.solids; ++b)
                     if (solids[b].moves) {
                         const V share = L::load(
-                            v.carry + packet * (g * static_cast<std::size_t>(s.solids) + static_cast<std::size_t>(b)) + q);
+                            v.carry +
+                            packet * (g * static_cast<std::size_t>(s.solids) + static_cast<std::size_t>(b)) +
+                            q);
                         const Vec<L> d = affine<L>(solids[b].carry, start);
                         carried = {L::fma(share, d.x, carried.x), L::fma(share, d.y, carried.y),
                                    L::fma(share, d.z, carried.z)};

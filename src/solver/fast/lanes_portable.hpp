@@ -27,7 +27,8 @@ struct LanesPortable {
     }
     /// Bits of `bits` from position `from` as a mask.
     static I mask_from_bits(std::uint32_t bits, int from) {
-        return I{-static_cast<std::int32_t>(bits >> from & 1u), -static_cast<std::int32_t>(bits >> (from + 1) & 1u),
+        return I{-static_cast<std::int32_t>(bits >> from & 1u),
+                 -static_cast<std::int32_t>(bits >> (from + 1) & 1u),
                  -static_cast<std::int32_t>(bits >> (from + 2) & 1u),
                  -static_cast<std::int32_t>(bits >> (from + 3) & 1u)};
     }
@@ -52,8 +53,10 @@ struct LanesPortable {
     }
     /// From records to x, y, z, w and back.
     static void transpose(V r[4]) {
-        const V t0 = __builtin_shuffle(r[0], r[1], I{0, 4, 1, 5}), t1 = __builtin_shuffle(r[2], r[3], I{0, 4, 1, 5});
-        const V t2 = __builtin_shuffle(r[0], r[1], I{2, 6, 3, 7}), t3 = __builtin_shuffle(r[2], r[3], I{2, 6, 3, 7});
+        const V t0 = __builtin_shuffle(r[0], r[1], I{0, 4, 1, 5}),
+                t1 = __builtin_shuffle(r[2], r[3], I{0, 4, 1, 5});
+        const V t2 = __builtin_shuffle(r[0], r[1], I{2, 6, 3, 7}),
+                t3 = __builtin_shuffle(r[2], r[3], I{2, 6, 3, 7});
         r[0] = __builtin_shuffle(t0, t1, I{0, 1, 4, 5});
         r[1] = __builtin_shuffle(t0, t1, I{2, 3, 6, 7});
         r[2] = __builtin_shuffle(t2, t3, I{0, 1, 4, 5});

@@ -29,8 +29,9 @@ struct alignas(64) HingePacket {
 
 /// Sixteen vertices that follow each other in memory, apart from their position records.
 struct alignas(64) VertexGroup {
-    float start[3][packet];    ///< where the vertex was when the substep began
-    float carried[3][packet];  ///< start plus the share of the solids' motion: what the velocity is measured from
+    float start[3][packet]; ///< where the vertex was when the substep began
+    float carried[3]
+                 [packet]; ///< start plus the share of the solids' motion: what the velocity is measured from
     float gradient[3][packet]; ///< of the volume
     float normal[3][packet];   ///< of the last contact, zero without one; read only when `touched`
     std::uint32_t ring_base;   ///< record that the ring's indices count from
@@ -50,21 +51,21 @@ struct alignas(64) FixedGroup {
 /// A solid during one substep, in coordinates relative to the kernel's origin. 3 x 4 matrices are row-major, last column
 /// the shift.
 struct SolidStep {
-    const float* values;   ///< nodes of the distance grid, x fastest
-    int cells[3];          ///< cells along each axis
-    int step_y, step_z;    ///< nodes from one row, one layer, to the next
-    float to_grid[12];     ///< position -> grid coordinates in spacings, at the end of the substep
-    float turn[9];         ///< gradient per spacing in the rest frame -> gradient per length, now
-    float carry[12];       ///< displacement of a point that moves with the solid during the substep
-    float place[12];       ///< rest position -> position now
+    const float* values; ///< nodes of the distance grid, x fastest
+    int cells[3];        ///< cells along each axis
+    int step_y, step_z;  ///< nodes from one row, one layer, to the next
+    float to_grid[12];   ///< position -> grid coordinates in spacings, at the end of the substep
+    float turn[9];       ///< gradient per spacing in the rest frame -> gradient per length, now
+    float carry[12];     ///< displacement of a point that moves with the solid during the substep
+    float place[12];     ///< rest position -> position now
     float saturation;
-    float per_slope;       ///< 1 / Lipschitz constant of the interpolant
-    bool moves;            ///< carry is not zero
+    float per_slope; ///< 1 / Lipschitz constant of the interpolant
+    bool moves;      ///< carry is not zero
 };
 
 /// What a substep does with every vertex after the constraints.
 struct StepSettings {
-    float offset;       ///< wanted distance to solids
+    float offset; ///< wanted distance to solids
     float friction;
     float keep;         ///< exp(-damping h)
     float volume_gain;  ///< multiplier of the volume gradient, already limited
@@ -75,7 +76,8 @@ struct StepSettings {
 /// Sums over a chunk of vertices for the volume constraint.
 struct VolumeSums {
     double volume = 0;
-    double weight_grow = 0;   ///< sum of w |g|^2 with the part into contacts left out when the volume is too small
+    double weight_grow =
+        0; ///< sum of w |g|^2 with the part into contacts left out when the volume is too small
     double weight_shrink = 0; ///< the same when it is too large
 };
 
@@ -90,7 +92,8 @@ struct ContactSums {
 struct VertexArrays {
     float* records = nullptr; ///< x, y, z, inverse mass
     VertexGroup* groups = nullptr;
-    float* slack = nullptr;       ///< solids x 16 per group: how far a vertex may travel before the solid can matter
+    float* slack =
+        nullptr; ///< solids x 16 per group: how far a vertex may travel before the solid can matter
     const float* carry = nullptr; ///< solids x 16 per group, or null: share of a solid's motion
     const std::uint16_t* rings = nullptr;
 };

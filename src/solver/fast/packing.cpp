@@ -30,7 +30,8 @@ private:
 
 } // namespace
 
-bool pack(std::span<const int> corners, std::size_t arity, const std::vector<bool>& movable, std::vector<int>& rows) {
+bool pack(std::span<const int> corners, std::size_t arity, const std::vector<bool>& movable,
+          std::vector<int>& rows) {
     rows.clear();
     if (corners.empty())
         return true;

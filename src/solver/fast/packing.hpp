@@ -14,6 +14,7 @@ namespace fascicle::solver::fast {
 /// the emptiest one that it may join. Empty when a vertex has too many constraints for that (more than max_colours would be
 /// needed).
 inline constexpr std::size_t max_colours = 1024;
-bool pack(std::span<const int> corners, std::size_t arity, const std::vector<bool>& movable, std::vector<int>& rows);
+bool pack(std::span<const int> corners, std::size_t arity, const std::vector<bool>& movable,
+          std::vector<int>& rows);
 
 } // namespace fascicle::solver::fast

@@ -68,7 +68,8 @@ private:
         plan_.inverse_mass.assign(plan_.records(), 0.0f);
         for (std::size_t i = 0; i < rest.size(); ++i) {
             plan_.rest.push_back((rest[i] - plan_.origin).cast<float>().cast<double>());
-            const bool held = problem_.body_of_vertex[i] >= 0 || topology_.vertex_component(static_cast<int>(i)) < 0;
+            const bool held =
+                problem_.body_of_vertex[i] >= 0 || topology_.vertex_component(static_cast<int>(i)) < 0;
             plan_.inverse_mass[record(static_cast<int>(i))] = held ? 0.0f : 1.0f;
         }
     }
@@ -80,17 +81,20 @@ private:
         for (const DistanceConstraint& e : make_edge_constraints(problem_, plan_.rest, topology_))
             if (mass(e.a) + mass(e.b) > 0.0f)
                 edges.push_back(e);
+        const DihedralConstraints all_hinges(plan_.rest, topology_.dihedrals(),
+                                             problem_.parameters.get("solver.bending"));
         std::vector<DihedralConstraint> hinges;
-        for (const DihedralConstraint& d :
-             DihedralConstraints(plan_.rest, topology_.dihedrals(), problem_.parameters.get("solver.bending")).items())
+        for (const DihedralConstraint& d : all_hinges.items())
             if (mass(d.p[0]) + mass(d.p[1]) + mass(d.p[2]) + mass(d.p[3]) > 0.0f)
                 hinges.push_back(d);
 
-        const auto edge_sets = deal(edges.size(), layout_.blocks, layout_.block_records, 2, [&](std::size_t c, std::size_t k) {
-            return static_cast<int>(record(k == 0 ? edges[c].a : edges[c].b));
-        });
-        const auto hinge_sets = deal(hinges.size(), layout_.blocks, layout_.block_records, 4,
-                                     [&](std::size_t c, std::size_t k) { return static_cast<int>(record(hinges[c].p[k])); });
+        const auto edge_sets =
+            deal(edges.size(), layout_.blocks, layout_.block_records, 2, [&](std::size_t c, std::size_t k) {
+                return static_cast<int>(record(k == 0 ? edges[c].a : edges[c].b));
+            });
+        const auto hinge_sets =
+            deal(hinges.size(), layout_.blocks, layout_.block_records, 4,
+                 [&](std::size_t c, std::size_t k) { return static_cast<int>(record(hinges[c].p[k])); });
         std::vector<bool> movable;
         for (const float w : plan_.inverse_mass)
             movable.push_back(w > 0.0f);
@@ -101,11 +105,13 @@ private:
             if (!pack(edge_sets[s].corners, 2, movable, rows))
                 return false;
             for (std::size_t r = 0; r < rows.size(); r += packet)
-                plan_.edges.push_back(edge_packet(edges, edge_sets[s].numbers, {rows.data() + r, packet}, set, per_h2));
+                plan_.edges.push_back(
+                    edge_packet(edges, edge_sets[s].numbers, {rows.data() + r, packet}, set, per_h2));
             if (!pack(hinge_sets[s].corners, 4, movable, rows))
                 return false;
             for (std::size_t r = 0; r < rows.size(); r += packet)
-                plan_.hinges.push_back(hinge_packet(hinges, hinge_sets[s].numbers, {rows.data() + r, packet}, set, per_h2));
+                plan_.hinges.push_back(
+                    hinge_packet(hinges, hinge_sets[s].numbers, {rows.data() + r, packet}, set, per_h2));
             set.edges = plan_.edges.size() - set.first_edge;
             set.hinges = plan_.hinges.size() - set.first_hinge;
             (s < layout_.blocks ? plan_.interiors : plan_.interfaces).push_back(set);
@@ -132,10 +138,11 @@ private:
                 ++plan_.padding;
                 continue;
             }
-            const DistanceConstraint& e = all[static_cast<std::size_t>(numbers[static_cast<std::size_t>(row[i])])];
+            const DistanceConstraint& e =
+                all[static_cast<std::size_t>(numbers[static_cast<std::size_t>(row[i])])];
             p.rest[i] = static_cast<float>(e.rest);
-            p.gain[i] = static_cast<float>(
-                1.0 / (static_cast<double>(mass(e.a)) + static_cast<double>(mass(e.b)) + e.compliance * per_h2));
+            p.gain[i] = static_cast<float>(1.0 / (static_cast<double>(mass(e.a)) +
+                                                  static_cast<double>(mass(e.b)) + e.compliance * per_h2));
             p.p[0][i] = index(e.a, set);
             p.p[1][i] = index(e.b, set);
         }
@@ -154,7 +161,8 @@ private:
                 ++plan_.padding;
                 continue;
             }
-            const DihedralConstraint& d = all[static_cast<std::size_t>(numbers[static_cast<std::size_t>(row[i])])];
+            const DihedralConstraint& d =
+                all[static_cast<std::size_t>(numbers[static_cast<std::size_t>(row[i])])];
             p.cosine[i] = static_cast<float>(std::cos(d.rest_rad));
             p.sine[i] = static_cast<float>(std::sin(d.rest_rad));
             p.compliance[i] = static_cast<float>(d.compliance * per_h2);

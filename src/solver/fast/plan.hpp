@@ -22,32 +22,25 @@ struct GroupRange {
     std::size_t begin = 0, end = 0; ///< vertex groups
 };
 
-/// A triangle fan at a vertex beyond its first one: a term x_j x x_k / 6 of the gradient that no ring holds. Only where triangles meet
-/// in a single point.
-struct LooseTerm {
-    std::uint32_t record, j, k;
-};
-
 struct Plan {
-    Vec3 origin = Vec3::Zero();      ///< all records are relative to this point
+    Vec3 origin = Vec3::Zero(); ///< all records are relative to this point
     std::vector<int> record_of_vertex;
-    Points rest;                     ///< V rest positions as the records hold them: relative, rounded to float
+    Points rest; ///< V rest positions as the records hold them: relative, rounded to float
     std::vector<float> inverse_mass; ///< by record
     std::size_t groups = 0;
-    std::vector<GroupRange> chunks;  ///< sums are formed over these
+    std::vector<GroupRange> chunks; ///< sums are formed over these
     std::vector<ConstraintSet> interiors, interfaces;
     std::vector<EdgePacket> edges;
     std::vector<HingePacket> hinges;
     std::vector<std::uint16_t> rings;
     std::vector<std::uint32_t> ring_base, ring_first, ring_length; ///< by group
-    std::vector<LooseTerm> loose;
     std::size_t padding = 0; ///< lanes of constraint packets without a constraint
 
     std::size_t records() const { return packet * groups; }
 };
 
 /// Nothing when the mesh does not suit the fast kernel: vertices so entangled that no order brings neighbours within reach of
-/// 16-bit indices, or with more than a thousand neighbours.
+/// 16-bit indices, with more than a thousand neighbours, or open ones where parts of the surface meet in a point.
 std::optional<Plan> make_plan(const SoftBodyProblem& problem, const MeshTopology& topology);
 
 } // namespace fascicle::solver::fast

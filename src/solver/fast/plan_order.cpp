@@ -9,7 +9,8 @@ namespace fascicle::solver::fast {
 
 namespace {
 
-constexpr std::size_t sort_window = 128; ///< vertices that may change places so that groups have rings of one length
+constexpr std::size_t sort_window =
+    128; ///< vertices that may change places so that groups have rings of one length
 constexpr std::size_t reach = std::numeric_limits<std::uint16_t>::max();
 
 /// Largest distance in the order between two vertices of one dihedral or edge.
@@ -26,7 +27,8 @@ std::size_t span_of(const MeshTopology& topology, const std::vector<int>& place)
 }
 
 /// The vertices round v, in order, chain by chain. A closed chain ends with its first vertex.
-std::vector<std::vector<int>> chains_round(int v, const std::vector<Tri>& triangles, const MeshTopology& topology) {
+std::vector<std::vector<int>> chains_round(int v, const std::vector<Tri>& triangles,
+                                           const MeshTopology& topology) {
     std::vector<std::array<int, 2>> steps;
     for (const int t : topology.vertex_triangles(v)) {
         const Tri& tri = triangles[static_cast<std::size_t>(t)];
@@ -38,13 +40,15 @@ std::vector<std::vector<int>> chains_round(int v, const std::vector<Tri>& triang
         // An open chain has to begin at its end: at a vertex that no step leads to.
         std::size_t first = 0;
         for (std::size_t s = 0; s < steps.size(); ++s)
-            if (std::none_of(steps.begin(), steps.end(), [&](const auto& o) { return o[1] == steps[s][0]; })) {
+            if (std::none_of(steps.begin(), steps.end(),
+                             [&](const auto& o) { return o[1] == steps[s][0]; })) {
                 first = s;
                 break;
             }
         std::vector<int> chain{steps[first][0]};
         for (auto next = steps.begin() + static_cast<std::ptrdiff_t>(first); next != steps.end();
-             next = std::find_if(steps.begin(), steps.end(), [&](const auto& s) { return s[0] == chain.back(); })) {
+             next = std::find_if(steps.begin(), steps.end(),
+                                 [&](const auto& s) { return s[0] == chain.back(); })) {
             chain.push_back((*next)[1]);
             steps.erase(next);
             if (chain.back() == chain.front())
@@ -52,7 +56,8 @@ std::vector<std::vector<int>> chains_round(int v, const std::vector<Tri>& triang
         }
         chains.push_back(std::move(chain));
     }
-    std::stable_sort(chains.begin(), chains.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+    std::stable_sort(chains.begin(), chains.end(),
+                     [](const auto& a, const auto& b) { return a.size() > b.size(); });
     return chains;
 }
 
@@ -81,15 +86,17 @@ std::optional<BlockLayout> lay_out_blocks(const MeshTopology& topology, Plan& pl
         std::vector<int> mine(order.begin() + static_cast<std::ptrdiff_t>(b * size),
                               order.begin() + static_cast<std::ptrdiff_t>(std::min(count, (b + 1) * size)));
         for (std::size_t w = 0; w < mine.size(); w += sort_window)
-            std::stable_sort(mine.begin() + static_cast<std::ptrdiff_t>(w),
-                             mine.begin() + static_cast<std::ptrdiff_t>(std::min(mine.size(), w + sort_window)),
-                             [&](int a, int c) {
-                                 return topology.vertex_triangles(a).size() < topology.vertex_triangles(c).size();
-                             });
+            std::stable_sort(
+                mine.begin() + static_cast<std::ptrdiff_t>(w),
+                mine.begin() + static_cast<std::ptrdiff_t>(std::min(mine.size(), w + sort_window)),
+                [&](int a, int c) {
+                    return topology.vertex_triangles(a).size() < topology.vertex_triangles(c).size();
+                });
         for (std::size_t i = 0; i < mine.size(); ++i)
             plan.record_of_vertex[static_cast<std::size_t>(mine[i])] =
                 static_cast<int>(b * layout.block_records + i);
-        const std::size_t first = b * layout.block_records / packet, end = first + layout.block_records / packet;
+        const std::size_t first = b * layout.block_records / packet,
+                          end = first + layout.block_records / packet;
         for (std::size_t g = first; g < end; g += chunk_groups)
             plan.chunks.push_back({g, std::min(end, g + chunk_groups)});
     }
@@ -102,13 +109,15 @@ bool lay_out_rings(const std::vector<Tri>& triangles, const MeshTopology& topolo
         const auto chains = chains_round(v, triangles, topology);
         const auto record = static_cast<std::size_t>(plan.record_of_vertex[static_cast<std::size_t>(v)]);
         const auto at = [&](int other) { return plan.record_of_vertex[static_cast<std::size_t>(other)]; };
-        for (std::size_t c = 0; c < chains.size(); ++c)
-            for (std::size_t i = 0; i < chains[c].size(); ++i)
-                if (c == 0)
-                    rings[record].push_back(at(chains[c][i]));
-                else if (i > 0)
-                    plan.loose.push_back({static_cast<std::uint32_t>(record), static_cast<std::uint32_t>(at(chains[c][i - 1])),
-                                          static_cast<std::uint32_t>(at(chains[c][i]))});
+        for (const std::vector<int>& chain : chains) {
+            if (chains.size() > 1 && chain.front() != chain.back())
+                return false;
+            for (const int other : chain)
+                rings[record].push_back(at(other));
+        }
+        // Closed fans one after the other: the step from one to the next is taken back by the step home.
+        for (std::size_t c = chains.size(); c-- > 1;)
+            rings[record].push_back(at(chains[c - 1].front()));
     }
     for (std::size_t g = 0; g < plan.groups; ++g) {
         std::size_t length = 0;

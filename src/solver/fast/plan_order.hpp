@@ -17,8 +17,8 @@ struct BlockLayout {
 /// Fills plan.record_of_vertex, groups, chunks. Nothing when 16-bit indices do not reach.
 std::optional<BlockLayout> lay_out_blocks(const MeshTopology& topology, Plan& plan);
 
-/// Rings of all groups: ring_base, ring_first, ring_length, rings, loose.
-/// False when a ring does not fit 16-bit indices.
+/// Rings of all groups: ring_base, ring_first, ring_length, rings.
+/// False when a ring does not fit 16-bit indices, or several open fans meet in a vertex.
 bool lay_out_rings(const std::vector<Tri>& triangles, const MeshTopology& topology, Plan& plan);
 
 } // namespace fascicle::solver::fast

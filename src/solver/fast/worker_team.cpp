@@ -8,7 +8,7 @@ namespace fascicle::solver::fast {
 
 namespace {
 
-constexpr int spins_before_yield = 100;     // measured: more costs dearly on a busy machine, fewer gains nothing
+constexpr int spins_before_yield = 100; // measured: more costs dearly on a busy machine, fewer gains nothing
 constexpr int yields_before_sleep = 200;
 
 void pause() {

@@ -8,6 +8,7 @@
 #include "solver/constraints/volume.hpp"
 #include "solver/contact/solid_contact.hpp"
 #include "solver/edge_constraints.hpp"
+#include "solver/fast/fast_solver.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -54,7 +55,8 @@ private:
 
 DistanceConstraints make_edges(const SoftBodyProblem& problem, const MeshTopology& topology) {
     DistanceConstraints constraints;
-    for (const DistanceConstraint& edge : make_edge_constraints(problem, problem.surface->positions, topology))
+    for (const DistanceConstraint& edge :
+         make_edge_constraints(problem, problem.surface->positions, topology))
         constraints.add(edge);
     return constraints;
 }
@@ -182,6 +184,9 @@ void XpbdSolver::update_velocities(double h) {
 } // namespace
 
 std::unique_ptr<SoftBodySolver> make_xpbd_solver(const SoftBodyProblem& problem) {
+    if (problem.parameters.get_choice("solver.kernel") == "fast")
+        if (auto fast = make_fast_solver(problem))
+            return fast;
     return std::make_unique<XpbdSolver>(problem);
 }
 

@@ -1,0 +1,372 @@
+#include "solver/fast/fast_solver.hpp"
+
+#include "fascicle/base/assert.hpp"
+#include "fascicle/base/parallel.hpp"
+#include "fascicle/geometry/distance_grid.hpp"
+#include "fascicle/geometry/volume.hpp"
+#include "solver/constraints/volume.hpp"
+#include "solver/fast/grid_slope.hpp"
+#include "solver/fast/plan.hpp"
+#include "solver/fast/worker_team.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace fascicle::solver {
+
+namespace fast {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct alignas(64) Row {
+    float v[packet];
+};
+
+/// Stages as the report names them, timed by the first thread.
+enum Stage : std::size_t { predict_stage, constraint_stage, volume_stage, contact_stage, stage_count };
+constexpr std::array<const char*, stage_count> stage_names{"predict", "edges and dihedrals", "volume",
+                                                           "contact and prediction"};
+
+class FastSolver final : public SoftBodySolver {
+public:
+    FastSolver(const SoftBodyProblem& problem, Plan plan, const Kernels& kernels);
+    void advance(std::span<const Pose> from, std::span<const Pose> to) override;
+    const Points& positions() const override { return positions_; }
+    const StepReport& report() const override { return report_; }
+    const std::vector<int>& body_of_vertex() const override { return problem_.body_of_vertex; }
+    std::size_t state_bytes() const override;
+
+private:
+    void make_records();
+    void make_groups();
+    void make_fixed_groups();
+    void make_solids();
+    void set_solids(std::span<const Pose> from, std::span<const Pose> to);
+    void run_frame(int thread);
+    void sweep(const ConstraintSet& set);
+    void sum_volume(std::size_t chunk);
+    StepSettings settings_after_volume() const;
+    void place(std::size_t chunk, const SolidStep* solids);
+    void collect(std::span<const Pose> to);
+    VertexArrays arrays();
+
+    SoftBodyProblem problem_;
+    Plan plan_;
+    const Kernels& kernels_;
+    int substeps_;
+    double wanted_volume_ = 0, largest_volume_step_ = 0;
+    StepSettings settings_{};
+
+    std::vector<Row> records_; ///< four rows of 16 floats per group: 16 records
+    std::vector<VertexGroup> groups_;
+    std::vector<Row> slack_, carry_;
+    std::vector<FixedGroup> fixed_;
+    std::vector<std::size_t> first_fixed_; ///< by chunk, and one more
+    std::vector<SolidStep> solid_steps_;   ///< substeps x solids
+    std::vector<SolidStep> solids_;        ///< what of them does not change
+    std::vector<VolumeSums> volume_sums_;
+    std::vector<ContactSums> contact_sums_;
+    WorkerTeam team_;
+    Points positions_;
+    StepReport report_;
+    std::array<double, stage_count> stage_seconds_{};
+};
+
+/// m and t of m x + t as a row-major 3 x 4 matrix of floats.
+void set_affine(float (&out)[12], const Mat3& m, const Vec3& t) {
+    for (Eigen::Index r = 0; r < 3; ++r) {
+        for (Eigen::Index c = 0; c < 3; ++c)
+            out[4 * r + c] = static_cast<float>(m(r, c));
+        out[4 * r + 3] = static_cast<float>(t[r]);
+    }
+}
+
+FastSolver::FastSolver(const SoftBodyProblem& problem, Plan plan, const Kernels& kernels)
+    : problem_(problem), plan_(std::move(plan)), kernels_(kernels),
+      substeps_(passes_per_frame(problem.parameters)),
+      team_(std::clamp(problem.threads, 1, static_cast<int>(plan_.chunks.size()))),
+      positions_(problem.surface->positions) {
+    const ParamSet& p = problem_.parameters;
+    settings_.offset = static_cast<float>(p.get("contact.offset_mm") / problem.unit_mm);
+    settings_.friction = static_cast<float>(p.get("contact.friction"));
+    settings_.keep =
+        static_cast<float>(std::exp(-p.get("solver.damping") * p.get("solver.frame_time") / substeps_));
+    settings_.solids = static_cast<int>(problem_.solids.size());
+    const double rest_volume = signed_volume(plan_.rest, problem_.surface->triangles);
+    wanted_volume_ = p.get("solver.pressure") * rest_volume;
+    largest_volume_step_ = VolumeConstraint::max_step * std::abs(rest_volume);
+    volume_sums_.resize(plan_.chunks.size());
+    contact_sums_.resize(plan_.chunks.size());
+    make_records();
+    make_groups();
+    make_fixed_groups();
+    make_solids();
+}
+
+void FastSolver::make_records() {
+    records_.resize(4 * plan_.groups);
+    auto* records = reinterpret_cast<float*>(records_.data());
+    // Padding gets the corners of a hinge without slivers; nothing ever moves it.
+    constexpr float corners[4][3] = {{0.5f, 1, 0}, {0.5f, -1, 0}, {0, 0, 0}, {1, 0, 0}};
+    for (std::size_t r = 0; r < plan_.records(); ++r)
+        for (std::size_t k = 0; k < 3; ++k)
+            records[4 * r + k] = corners[r % 4][k];
+    for (std::size_t i = 0; i < plan_.rest.size(); ++i) {
+        const auto r = static_cast<std::size_t>(plan_.record_of_vertex[i]);
+        for (std::size_t k = 0; k < 3; ++k)
+            records[4 * r + k] = static_cast<float>(plan_.rest[i][static_cast<Eigen::Index>(k)]);
+        records[4 * r + 3] = plan_.inverse_mass[r];
+    }
+}
+
+void FastSolver::make_groups() {
+    groups_.resize(plan_.groups);
+    const auto* records = reinterpret_cast<const float*>(records_.data());
+    for (std::size_t g = 0; g < plan_.groups; ++g) {
+        VertexGroup& group = groups_[g];
+        group = VertexGroup{};
+        group.ring_base = plan_.ring_base[g];
+        group.ring_first = plan_.ring_first[g];
+        group.ring_length = plan_.ring_length[g];
+        for (std::size_t i = 0; i < packet; ++i)
+            for (std::size_t k = 0; k < 3; ++k)
+                group.start[k][i] = group.carried[k][i] = records[4 * (packet * g + i) + k];
+    }
+    const std::size_t solids = problem_.solids.size();
+    slack_.assign(plan_.groups * solids, Row{});
+    for (Row& row : slack_)
+        std::fill(std::begin(row.v), std::end(row.v), -1.0f);
+    if (problem_.carry_weights.empty())
+        return;
+    carry_.assign(plan_.groups * solids, Row{});
+    for (std::size_t i = 0; i < plan_.rest.size(); ++i) {
+        const auto r = static_cast<std::size_t>(plan_.record_of_vertex[i]);
+        for (std::size_t b = 0; b < solids; ++b)
+            carry_[r / packet * solids + b].v[r % packet] =
+                static_cast<float>(problem_.carry_weights[i * solids + b]);
+    }
+}
+
+void FastSolver::make_fixed_groups() {
+    std::vector<std::array<std::size_t, 3>> fixed; // group, solid, vertex
+    for (std::size_t i = 0; i < plan_.rest.size(); ++i)
+        if (problem_.body_of_vertex[i] >= 0)
+            fixed.push_back({static_cast<std::size_t>(plan_.record_of_vertex[i]) / packet,
+                             static_cast<std::size_t>(problem_.body_of_vertex[i]), i});
+    std::sort(fixed.begin(), fixed.end());
+    for (const auto& [group, solid, vertex] : fixed) {
+        if (fixed_.empty() || fixed_.back().group != group || fixed_.back().solid != solid) {
+            FixedGroup next{};
+            next.group = static_cast<std::uint32_t>(group);
+            next.solid = static_cast<std::uint32_t>(solid);
+            fixed_.push_back(next);
+        }
+        const auto lane = static_cast<std::size_t>(plan_.record_of_vertex[vertex]) % packet;
+        fixed_.back().mask |= 1u << lane;
+        for (std::size_t k = 0; k < 3; ++k)
+            fixed_.back().rest[k][lane] =
+                static_cast<float>(plan_.rest[vertex][static_cast<Eigen::Index>(k)]);
+    }
+    std::size_t next = 0;
+    for (const GroupRange& chunk : plan_.chunks) {
+        first_fixed_.push_back(next);
+        while (next < fixed_.size() && fixed_[next].group < chunk.end)
+            ++next;
+    }
+    first_fixed_.push_back(next);
+}
+
+void FastSolver::make_solids() {
+    for (const SolidBody& body : problem_.solids) {
+        FASCICLE_ASSERT(body.grid != nullptr);
+        const DistanceGrid& grid = *body.grid;
+        SolidStep solid{};
+        solid.values = grid.values().data();
+        for (std::size_t k = 0; k < 3; ++k)
+            solid.cells[k] = grid.values().empty() ? 0 : grid.nodes()[k] - 1;
+        solid.step_y = grid.nodes()[0];
+        solid.step_z = grid.nodes()[0] * grid.nodes()[1];
+        solid.saturation = static_cast<float>(grid.saturation());
+        solid.per_slope = static_cast<float>(1.0 / largest_slope(grid, problem_.threads));
+        solids_.push_back(solid);
+    }
+    solid_steps_.resize(solids_.size() * static_cast<std::size_t>(substeps_));
+}
+
+/// Everything the frame needs to know of the solids' motion, relative to the plan's origin o: a point is x + o.
+void FastSolver::set_solids(std::span<const Pose> from, std::span<const Pose> to) {
+    const Vec3& o = plan_.origin;
+    for (std::size_t b = 0; b < solids_.size(); ++b) {
+        const DistanceGrid& grid = *problem_.solids[b].grid;
+        const double per_h = 1.0 / grid.spacing();
+        Pose before = screw_between(from[b], to[b], 0.0);
+        for (int k = 0; k < substeps_; ++k) {
+            SolidStep& s = solid_steps_[static_cast<std::size_t>(k) * solids_.size() + b];
+            s = solids_[b];
+            const Pose now = screw_between(from[b], to[b], double(k + 1) / substeps_);
+            const Pose inverse = now.inverse();
+            set_affine(s.to_grid, per_h * inverse.rotation, per_h * (inverse.apply(o) - grid.low()));
+            for (Eigen::Index i = 0; i < 3; ++i)
+                for (Eigen::Index j = 0; j < 3; ++j)
+                    s.turn[3 * i + j] = static_cast<float>(per_h * now.rotation(i, j));
+            const Pose step = now.after(before.inverse());
+            set_affine(s.carry, step.rotation - Mat3::Identity(), step.apply(o) - o);
+            set_affine(s.place, now.rotation, now.apply(o) - o);
+            s.moves = from[b].rotation != to[b].rotation || from[b].translation != to[b].translation;
+            before = now;
+        }
+    }
+}
+
+VertexArrays FastSolver::arrays() {
+    return {reinterpret_cast<float*>(records_.data()), groups_.data(),
+            reinterpret_cast<float*>(slack_.data()),
+            carry_.empty() ? nullptr : reinterpret_cast<const float*>(carry_.data()), plan_.rings.data()};
+}
+
+void FastSolver::advance(std::span<const Pose> from, std::span<const Pose> to) {
+    FASCICLE_ASSERT(from.size() == solids_.size() && to.size() == solids_.size());
+    set_solids(from, to);
+    std::fill(contact_sums_.begin(), contact_sums_.end(), ContactSums{});
+    auto body = [this](int thread) { run_frame(thread); };
+    team_.run(body);
+    collect(to);
+}
+
+void FastSolver::sweep(const ConstraintSet& set) {
+    float* base = reinterpret_cast<float*>(records_.data()) + 4 * set.first_record;
+    kernels_.edges(base, plan_.edges.data() + set.first_edge, set.edges);
+    kernels_.hinges(base, plan_.hinges.data() + set.first_hinge, set.hinges);
+}
+
+void FastSolver::place(std::size_t chunk, const SolidStep* solids) {
+    kernels_.place(arrays(), fixed_.data() + first_fixed_[chunk],
+                   first_fixed_[chunk + 1] - first_fixed_[chunk], solids);
+}
+
+void FastSolver::sum_volume(std::size_t chunk) {
+    const GroupRange range = plan_.chunks[chunk];
+    kernels_.volume(arrays(), range.begin, range.end, volume_sums_[chunk]);
+}
+
+StepSettings FastSolver::settings_after_volume() const {
+    VolumeSums total;
+    for (const VolumeSums& part : volume_sums_) {
+        total.volume += part.volume;
+        total.weight_grow += part.weight_grow;
+        total.weight_shrink += part.weight_shrink;
+    }
+    const double error =
+        std::clamp(total.volume - wanted_volume_, -largest_volume_step_, largest_volume_step_);
+    const double weight = error < 0.0 ? total.weight_grow : total.weight_shrink;
+    StepSettings settings = settings_;
+    settings.volume_error = static_cast<float>(error);
+    settings.volume_gain = weight > 0.0 ? static_cast<float>(-error / weight) : 0.0f;
+    return settings;
+}
+
+void FastSolver::run_frame(int thread) {
+    const auto share = [&](std::size_t count, int t) {
+        return count * static_cast<std::size_t>(t) / static_cast<std::size_t>(team_.size());
+    };
+    const std::size_t first_chunk = share(plan_.chunks.size(), thread),
+                      end_chunk = share(plan_.chunks.size(), thread + 1);
+    const std::size_t first_set = share(plan_.interiors.size(), thread),
+                      end_set = share(plan_.interiors.size(), thread + 1);
+    const std::size_t end_interface = std::min(end_set, plan_.interfaces.size());
+    auto lap = Clock::now();
+    const auto stage = [&](Stage s) {
+        if (thread != 0)
+            return;
+        const auto now = Clock::now();
+        stage_seconds_[s] += std::chrono::duration<double>(now - lap).count();
+        lap = now;
+    };
+    const auto solids_of = [&](int k) {
+        return solid_steps_.data() + static_cast<std::size_t>(k) * solids_.size();
+    };
+    const auto predict = [&](std::size_t c, int k) {
+        const GroupRange range = plan_.chunks[c];
+        kernels_.predict(arrays(), range.begin, range.end, solids_of(k), settings_);
+        place(c, solids_of(k));
+    };
+
+    for (std::size_t c = first_chunk; c < end_chunk; ++c)
+        predict(c, 0);
+    team_.meet();
+    stage(predict_stage);
+    for (int k = 0; k < substeps_; ++k) {
+        for (std::size_t s = first_set; s < end_set; ++s)
+            sweep(plan_.interiors[s]);
+        team_.meet();
+        if (!plan_.interfaces.empty()) {
+            for (std::size_t s = first_set; s < end_interface; ++s)
+                sweep(plan_.interfaces[s]);
+            team_.meet();
+        }
+        stage(constraint_stage);
+        for (std::size_t c = first_chunk; c < end_chunk; ++c)
+            sum_volume(c);
+        team_.meet();
+        stage(volume_stage);
+        const StepSettings settings = settings_after_volume();
+        for (std::size_t c = first_chunk; c < end_chunk; ++c) {
+            const GroupRange range = plan_.chunks[c];
+            kernels_.finish(arrays(), range.begin, range.end, solids_of(k), settings, contact_sums_[c]);
+            if (k + 1 < substeps_)
+                predict(c, k + 1);
+        }
+        team_.meet();
+        stage(contact_stage);
+    }
+}
+
+std::size_t FastSolver::state_bytes() const {
+    const auto bytes = [](const auto& list) { return list.size() * sizeof(list[0]); };
+    return bytes(records_) + bytes(groups_) + bytes(slack_) + bytes(carry_) + bytes(fixed_) +
+           bytes(positions_) + bytes(plan_.edges) + bytes(plan_.hinges) + bytes(plan_.rings) +
+           bytes(plan_.rest) + bytes(plan_.record_of_vertex) + bytes(plan_.inverse_mass) +
+           3 * bytes(plan_.ring_base) + bytes(problem_.body_of_vertex) + bytes(problem_.edge_softness) +
+           bytes(problem_.carry_weights);
+}
+
+void FastSolver::collect(std::span<const Pose> to) {
+    const auto* records = reinterpret_cast<const float*>(records_.data());
+    const Points& rest = problem_.surface->positions;
+    for (std::size_t i = 0; i < positions_.size(); ++i) {
+        const int body = problem_.body_of_vertex[i];
+        if (body >= 0) {
+            positions_[i] = to[static_cast<std::size_t>(body)].apply(rest[i]);
+            continue;
+        }
+        const float* r = records + 4 * plan_.record_of_vertex[i];
+        positions_[i] = plan_.origin + Vec3(double(r[0]), double(r[1]), double(r[2]));
+    }
+    for (const ContactSums& part : contact_sums_) {
+        report_.contacts += part.contacts;
+        report_.unresolved += part.unresolved;
+        report_.non_finite += part.non_finite;
+    }
+    for (std::size_t s = 0; s < stage_count; ++s)
+        report_.stage_seconds[stage_names[s]] = stage_seconds_[s];
+}
+
+} // namespace
+
+} // namespace fast
+
+std::unique_ptr<SoftBodySolver> make_fast_solver(const SoftBodyProblem& problem,
+                                                 const fast::Kernels* kernels) {
+    const MeshTopology topology(problem.surface->vertex_count(), problem.surface->triangles);
+    auto plan = fast::make_plan(problem, topology);
+    if (!plan)
+        return nullptr;
+    if (kernels == nullptr)
+        fast::available_kernels(&kernels, 1);
+    return std::make_unique<fast::FastSolver>(problem, std::move(*plan), *kernels);
+}
+
+} // namespace fascicle::solver
