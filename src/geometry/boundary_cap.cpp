@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 namespace fascicle {
 
@@ -13,18 +14,26 @@ struct DirectedEdge {
 };
 
 std::vector<DirectedEdge> unbalanced_edges(const std::vector<int>& same, const std::vector<Tri>& triangles) {
-    std::vector<DirectedEdge> edges;
-    edges.reserve(3 * triangles.size());
-    for (const Tri& t : triangles)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const int a = same[static_cast<std::size_t>(t[k])];
-            const int b = same[static_cast<std::size_t>(t[(k + 1) % 3])];
-            if (a != b)
-                edges.push_back({std::min(a, b), std::max(a, b), a < b ? 1 : -1});
-        }
-    std::sort(edges.begin(), edges.end(), [](const DirectedEdge& x, const DirectedEdge& y) {
-        return x.a != y.a ? x.a < y.a : x.b < y.b;
-    });
+    // Into buckets by the lower end (counting sort), then each short bucket by the other end.
+    const auto each_edge = [&](const auto& visit) {
+        for (const Tri& t : triangles)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const int a = same[static_cast<std::size_t>(t[k])];
+                const int b = same[static_cast<std::size_t>(t[(k + 1) % 3])];
+                if (a != b)
+                    visit(DirectedEdge{std::min(a, b), std::max(a, b), a < b ? 1 : -1});
+            }
+    };
+    std::vector<std::size_t> starts(same.size() + 1, 0);
+    each_edge([&](const DirectedEdge& e) { ++starts[static_cast<std::size_t>(e.a) + 1]; });
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    std::vector<DirectedEdge> edges(starts.back());
+    std::vector<std::size_t> next(starts.begin(), starts.end() - 1);
+    each_edge([&](const DirectedEdge& e) { edges[next[static_cast<std::size_t>(e.a)]++] = e; });
+    for (std::size_t v = 0; v < same.size(); ++v)
+        std::sort(edges.begin() + static_cast<std::ptrdiff_t>(starts[v]),
+                  edges.begin() + static_cast<std::ptrdiff_t>(starts[v + 1]),
+                  [](const DirectedEdge& x, const DirectedEdge& y) { return x.b < y.b; });
     std::size_t kept = 0;
     for (std::size_t i = 0; i < edges.size();) {
         DirectedEdge sum = edges[i];
@@ -40,20 +49,30 @@ std::vector<DirectedEdge> unbalanced_edges(const std::vector<int>& same, const s
 } // namespace
 
 std::vector<int> coincident_vertices(const Points& points) {
-    std::vector<int> order(points.size());
-    std::iota(order.begin(), order.end(), 0);
-    const auto at = [&](int v) -> const Vec3& { return points[static_cast<std::size_t>(v)]; };
-    std::sort(order.begin(), order.end(), [&](int v, int w) {
-        for (Eigen::Index k = 0; k < 3; ++k)
-            if (at(v)[k] != at(w)[k])
-                return at(v)[k] < at(w)[k];
-        return v < w;
-    });
+    // By x alone first, whose values lie side by side; y and z decide among the few that are equal.
+    struct Entry {
+        double x;
+        int vertex;
+    };
+    std::vector<Entry> order(points.size());
+    for (std::size_t v = 0; v < points.size(); ++v)
+        order[v] = {points[v].x(), static_cast<int>(v)};
+    std::sort(order.begin(), order.end(), [](const Entry& a, const Entry& b) { return a.x < b.x; });
+    const auto at = [&](const Entry& e) -> const Vec3& { return points[static_cast<std::size_t>(e.vertex)]; };
     std::vector<int> same(points.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const bool again = i > 0 && at(order[i]) == at(order[i - 1]);
-        same[static_cast<std::size_t>(order[i])] =
-            again ? same[static_cast<std::size_t>(order[i - 1])] : order[i];
+    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+        for (end = begin + 1; end < order.size() && order[end].x == order[begin].x; ++end) {
+        }
+        std::sort(order.begin() + static_cast<std::ptrdiff_t>(begin),
+                  order.begin() + static_cast<std::ptrdiff_t>(end), [&](const Entry& a, const Entry& b) {
+                      return std::tuple(at(a).y(), at(a).z(), a.vertex) <
+                             std::tuple(at(b).y(), at(b).z(), b.vertex);
+                  });
+        for (std::size_t i = begin; i < end; ++i) {
+            const bool again = i > begin && at(order[i]) == at(order[i - 1]);
+            same[static_cast<std::size_t>(order[i].vertex)] =
+                again ? same[static_cast<std::size_t>(order[i - 1].vertex)] : order[i].vertex;
+        }
     }
     return same;
 }

@@ -110,7 +110,7 @@ void DistanceGrid::fill_distances(const TriMesh& mesh, int threads, const JobCon
 
 void DistanceGrid::set_signs(const TriMesh& mesh, int threads, const JobControl& control) {
     const GridShape shape{low_, spacing_, nodes_};
-    const GridSign sign(shape, mesh.positions, mesh.triangles);
+    const GridSign sign(shape, mesh.positions, mesh.triangles, threads);
     control.checkpoint(stage, 0.8);
     const std::size_t rows = static_cast<std::size_t>(nodes_[1]) * static_cast<std::size_t>(nodes_[2]);
     const auto saturated = static_cast<float>(saturation_); // exact: it is made of a float

@@ -33,7 +33,9 @@ struct GridShape {
 class GridSign {
 public:
     /// All vertices that triangles use must lie within the grid.
-    GridSign(const GridShape& shape, const Points& points, const std::vector<Tri>& triangles);
+    /// The same for every number of threads.
+    GridSign(const GridShape& shape, const Points& points, const std::vector<Tri>& triangles,
+             int threads = 1);
 
     /// inside[i] = 1 for the nodes (i, j, k) of one row that are inside, else 0; `inside` holds nodes[0]
     /// entries.
@@ -45,7 +47,7 @@ private:
         int direction; ///< +1 where the ray along +x leaves, -1 where it enters
     };
     template <typename Visit>
-    void cut(const Points& points, const std::vector<Tri>& triangles, const Visit& visit) const;
+    void cut(const Points& points, const Tri& triangle, const Visit& visit) const;
     bool cap_decides_inside(const Vec3& p, int crossings) const;
 
     GridShape shape_;
