@@ -77,6 +77,10 @@ TriangleBvh::TriangleBvh(const Points& points, const std::vector<Tri>& triangles
     const TriangleTree tree = build_triangle_tree(points, triangles, lanes);
     slot_of_.resize(tree.order.size());
     nodes_.resize(tree.nodes.size());
+    const std::size_t leaf_count = tree.order.size() / lanes + 1; // all are full but one
+    leaves_.reserve(leaf_count);
+    triangle_of_.reserve(leaf_count * lanes);
+    slot_vertices_.reserve(leaf_count * lanes);
     for (std::size_t n = 0; n < nodes_.size(); ++n)
         for (std::size_t i = 0; i < 4; ++i) {
             const TriangleTree::Child& child = tree.nodes[n].children[i];

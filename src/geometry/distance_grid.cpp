@@ -155,6 +155,7 @@ void DistanceGrid::make_conservative(const TriMesh& mesh, int threads, const Job
             constexpr std::size_t no_cell = std::numeric_limits<std::size_t>::max();
             std::size_t cell = no_cell;
             double cell_need = 0.0;
+            Cell around{};
             const auto raise_corners = [&] {
                 if (cell == no_cell)
                     return;
@@ -163,12 +164,12 @@ void DistanceGrid::make_conservative(const TriMesh& mesh, int threads, const Job
                     raise_to(lowering[cell + offset], need);
             };
             sample_triangle(at(tri[0]), at(tri[1]), at(tri[2]), step, [&](const Vec3& p) {
-                Cell around;
                 std::size_t corner = 0;
-                if (!locate(p, around, corner))
+                if (!locate_corner(p, corner, around.share))
                     return;
                 if (corner != cell) {
                     raise_corners();
+                    load_corners(corner, around);
                     cell = corner;
                     cell_need = 0.0;
                 }

@@ -3,7 +3,6 @@
 #include "fascicle/base/assert.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace fascicle {
 
@@ -12,25 +11,33 @@ namespace {
 class Builder {
 public:
     Builder(const Points& points, const std::vector<Tri>& triangles, int leaf_size) : leaf_size_(leaf_size) {
-        centroids_.reserve(triangles.size());
-        for (const Tri& t : triangles) {
+        entries_.reserve(triangles.size());
+        for (std::size_t t = 0; t < triangles.size(); ++t) {
             Vec3 sum = Vec3::Zero();
-            for (int v : t)
+            for (int v : triangles[t])
                 sum += points[static_cast<std::size_t>(v)];
-            centroids_.push_back(sum / 3.0);
+            const Vec3 centroid = sum / 3.0;
+            entries_.push_back({{centroid.x(), centroid.y(), centroid.z()}, static_cast<int>(t)});
         }
-        tree_.order.resize(triangles.size());
-        std::iota(tree_.order.begin(), tree_.order.end(), 0);
     }
 
     TriangleTree build() {
-        if (!tree_.order.empty())
-            add_node({0, static_cast<int>(tree_.order.size()), -1});
+        tree_.nodes.reserve(entries_.size() / static_cast<std::size_t>(2 * leaf_size_) + 1);
+        if (!entries_.empty())
+            add_node({0, static_cast<int>(entries_.size()), -1});
+        tree_.order.reserve(entries_.size());
+        for (const Entry& e : entries_)
+            tree_.order.push_back(e.triangle);
         return std::move(tree_);
     }
 
 private:
     using Child = TriangleTree::Child;
+    /// The centroid travels with its triangle: splitting walks through memory in order.
+    struct Entry {
+        std::array<double, 3> centroid;
+        int triangle;
+    };
 
     int add_node(const Child& range) {
         const auto node = tree_.nodes.size();
@@ -53,30 +60,39 @@ private:
     }
 
     int split(const Child& range) {
-        Vec3 low = centroid(range.begin), high = low;
-        for (int i = range.begin + 1; i < range.end; ++i) {
-            low = low.cwiseMin(centroid(i));
-            high = high.cwiseMax(centroid(i));
-        }
-        int axis = 0;
-        (high - low).maxCoeff(&axis);
+        const auto first = entries_.begin() + range.begin, last = entries_.begin() + range.end;
+        std::array<double, 3> low = first->centroid, high = low;
+        for (auto it = first + 1; it != last; ++it)
+            for (std::size_t k = 0; k < 3; ++k) {
+                low[k] = std::min(low[k], it->centroid[k]);
+                high[k] = std::max(high[k], it->centroid[k]);
+            }
+        std::size_t axis = 0;
+        for (std::size_t k = 1; k < 3; ++k)
+            if (high[k] - low[k] > high[axis] - low[axis])
+                axis = k;
         const int leaves = ((range.end - range.begin) / 2 + leaf_size_ - 1) / leaf_size_;
         const int middle = range.begin + leaves * leaf_size_;
-        const auto first = tree_.order.begin();
-        std::nth_element(first + range.begin, first + middle, first + range.end, [&](int a, int b) {
-            const double x = centroids_[static_cast<std::size_t>(a)][axis];
-            const double y = centroids_[static_cast<std::size_t>(b)][axis];
-            return x < y || (x == y && a < b);
-        });
+        if (axis == 0)
+            part_at<0>(first, entries_.begin() + middle, last);
+        else if (axis == 1)
+            part_at<1>(first, entries_.begin() + middle, last);
+        else
+            part_at<2>(first, entries_.begin() + middle, last);
         return middle;
     }
 
-    const Vec3& centroid(int i) const {
-        return centroids_[static_cast<std::size_t>(tree_.order[static_cast<std::size_t>(i)])];
+    using Place = std::vector<Entry>::iterator;
+    template <std::size_t axis>
+    static void part_at(Place first, Place middle, Place last) {
+        std::nth_element(first, middle, last, [](const Entry& a, const Entry& b) {
+            const double x = a.centroid[axis], y = b.centroid[axis];
+            return x < y || (x == y && a.triangle < b.triangle);
+        });
     }
 
     int leaf_size_;
-    Points centroids_;
+    std::vector<Entry> entries_;
     TriangleTree tree_;
 };
 

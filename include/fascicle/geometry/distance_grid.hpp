@@ -116,16 +116,16 @@ private:
         share = {x - i, y - j, z - k};
         return true;
     }
-    bool locate(const Vec3& p, Cell& cell) const {
-        std::size_t corner = 0;
-        return locate(p, cell, corner);
-    }
-    bool locate(const Vec3& p, Cell& cell, std::size_t& corner) const {
-        if (!locate_corner(p, corner, cell.share))
-            return false;
+    void load_corners(std::size_t corner, Cell& cell) const {
         const float* v = values_.data() + corner;
         cell.at = {v[0],       v[1],           v[step_y_],           v[step_y_ + 1],
                    v[step_z_], v[step_z_ + 1], v[step_y_ + step_z_], v[step_y_ + step_z_ + 1]};
+    }
+    bool locate(const Vec3& p, Cell& cell) const {
+        std::size_t corner = 0;
+        if (!locate_corner(p, corner, cell.share))
+            return false;
+        load_corners(corner, cell);
         return true;
     }
     void choose_shape(const TriMesh& mesh, const DistanceGridOptions& options);
