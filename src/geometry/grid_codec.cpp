@@ -172,7 +172,8 @@ std::optional<DistanceGrid> decode_grid(std::string_view bytes, std::size_t max_
     grid.correction_mean_ = header.correction_mean;
     grid.values_.resize(count);
     std::vector<std::uint32_t> runs(starts.back().run);
-    std::memcpy(runs.data(), bytes.data(), runs.size() * sizeof(std::uint32_t));
+    if (!runs.empty())
+        std::memcpy(runs.data(), bytes.data(), runs.size() * sizeof(std::uint32_t));
     const char* numbers = bytes.data() + runs.size() * sizeof(std::uint32_t);
     std::atomic<bool> sound = true;
     parallel_for(threads, slabs, 8, [&](std::size_t begin, std::size_t end) {

@@ -23,7 +23,7 @@ bool same(const DistanceGrid& a, const DistanceGrid& b) {
     return a.nodes() == b.nodes() && a.spacing() == b.spacing() && a.saturation() == b.saturation() &&
            a.low() == b.low() && a.correction_max() == b.correction_max() &&
            a.correction_mean() == b.correction_mean() && a.bytes() == b.bytes() &&
-           std::memcmp(a.data(), b.data(), a.bytes()) == 0;
+           (a.bytes() == 0 || std::memcmp(a.data(), b.data(), a.bytes()) == 0);
 }
 
 } // namespace
