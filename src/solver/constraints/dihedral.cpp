@@ -43,28 +43,36 @@ DihedralConstraints::DihedralConstraints(const Points& rest, const std::vector<D
     }
 }
 
-std::size_t DihedralConstraints::project(Points& x, const std::vector<double>& inverse_mass,
-                                         double substep_s) const {
+std::optional<HingeValue> hinge_value(const DihedralConstraint& hinge, const Points& x) {
+    const Vec3 &p0 = at(x, hinge.p[0]), &p1 = at(x, hinge.p[1]), &p2 = at(x, hinge.p[2]),
+               &p3 = at(x, hinge.p[3]);
+    const auto angle = dihedral_angle_with_gradient(p0, p1, p2, p3);
+    if (!angle || sliver(p0, p1, p2, p3))
+        return std::nullopt;
+    const double error = wrap_angle(angle->angle_rad - hinge.rest_rad);
+    return HingeValue{std::clamp(error, -max_correction_rad, max_correction_rad), angle->gradient};
+}
+
+std::size_t DihedralConstraints::project(Points& x, const std::vector<double>& inverse_mass, double substep_s,
+                                         double kappa) const {
     const double per_h2 = 1.0 / (substep_s * substep_s);
     std::size_t skipped = 0;
     for (const DihedralConstraint& c : items_) {
-        const Vec3 &p0 = at(x, c.p[0]), &p1 = at(x, c.p[1]), &p2 = at(x, c.p[2]), &p3 = at(x, c.p[3]);
-        const auto angle = dihedral_angle_with_gradient(p0, p1, p2, p3);
-        if (!angle || sliver(p0, p1, p2, p3)) {
+        const auto hinge = hinge_value(c, x);
+        if (!hinge) {
             ++skipped;
             continue;
         }
         double weight = 0;
         for (std::size_t j = 0; j < 4; ++j)
-            weight += inverse_mass[static_cast<std::size_t>(c.p[j])] * angle->gradient[j].squaredNorm();
+            weight += inverse_mass[static_cast<std::size_t>(c.p[j])] * hinge->gradient[j].squaredNorm();
         if (weight == 0.0)
             continue;
-        const double error =
-            std::clamp(wrap_angle(angle->angle_rad - c.rest_rad), -max_correction_rad, max_correction_rad);
-        const double multiplier = -error / (weight + c.compliance * per_h2);
+        const double softness = c.compliance * per_h2;
+        const double multiplier = -hinge->error_rad / std::max(weight + softness, kappa * softness);
         for (std::size_t j = 0; j < 4; ++j) {
             const auto i = static_cast<std::size_t>(c.p[j]);
-            x[i] += inverse_mass[i] * multiplier * angle->gradient[j];
+            x[i] += inverse_mass[i] * multiplier * hinge->gradient[j];
         }
     }
     return skipped;

@@ -6,6 +6,8 @@
 #include "fascicle/base/bytes_of.hpp"
 #include "fascicle/geometry/mesh_topology.hpp"
 
+#include <optional>
+
 namespace fascicle::solver {
 
 struct DihedralConstraint {
@@ -18,6 +20,14 @@ struct DihedralConstraint {
 /// only.
 inline constexpr double max_correction_rad = 0.5;
 
+/// theta - theta0, wrapped and limited to max_correction_rad, with its gradients.
+struct HingeValue {
+    double error_rad = 0;
+    std::array<Vec3, 4> gradient;
+};
+/// Nothing when the pair is degenerate now (a sliver: |N|^2 < 1e-4 l^4).
+std::optional<HingeValue> hinge_value(const DihedralConstraint& hinge, const Points& x);
+
 class DihedralConstraints {
 public:
     /// stiffness k in [0, 1] of one projection at the reference substep, for every pair alike: each
@@ -29,9 +39,10 @@ public:
     std::size_t bytes() const { return bytes_of(items_); }
     const std::vector<DihedralConstraint>& items() const { return items_; }
 
-    /// One Gauss-Seidel sweep. Pairs that are degenerate now (a sliver: |N|^2 < 1e-4 l^4) are skipped and
+    /// One Gauss-Seidel sweep; kappa as in DistanceConstraints::project. Pairs that are degenerate now (a sliver: |N|^2 < 1e-4 l^4) are skipped and
     /// counted.
-    std::size_t project(Points& x, const std::vector<double>& inverse_mass, double substep_s) const;
+    std::size_t project(Points& x, const std::vector<double>& inverse_mass, double substep_s,
+                        double kappa = 1.0) const;
 
 private:
     std::vector<DihedralConstraint> items_;

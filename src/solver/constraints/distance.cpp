@@ -1,5 +1,6 @@
 #include "solver/constraints/distance.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fascicle::solver {
@@ -17,8 +18,8 @@ void DistanceConstraints::add(const DistanceConstraint& constraint) {
         items_.push_back(constraint);
 }
 
-void DistanceConstraints::project(Points& x, const std::vector<double>& inverse_mass,
-                                  double substep_s) const {
+void DistanceConstraints::project(Points& x, const std::vector<double>& inverse_mass, double substep_s,
+                                  double kappa) const {
     const double per_h2 = 1.0 / (substep_s * substep_s);
     for (const DistanceConstraint& c : items_) {
         const auto a = static_cast<std::size_t>(c.a), b = static_cast<std::size_t>(c.b);
@@ -26,7 +27,8 @@ void DistanceConstraints::project(Points& x, const std::vector<double>& inverse_
         if (weight == 0.0)
             continue;
         const DistanceValue d = distance_value(x[a], x[b], c.rest);
-        const double multiplier = -d.value / (weight + c.compliance * per_h2);
+        const double softness = c.compliance * per_h2;
+        const double multiplier = -d.value / std::max(weight + softness, kappa * softness);
         x[a] += inverse_mass[a] * multiplier * d.gradient_a;
         x[b] -= inverse_mass[b] * multiplier * d.gradient_a;
     }

@@ -28,10 +28,14 @@ public:
     std::size_t size() const { return items_.size(); }
     std::size_t bytes() const { return bytes_of(items_); }
 
+    const std::vector<DistanceConstraint>& items() const { return items_; }
+
     /// One Gauss-Seidel sweep in the order added: dx_i = w_i grad_i dlambda,
-    /// dlambda = -C / (wa + wb + alpha / h^2), the multiplier starting from zero in every substep h (s).
-    /// x: V points; inverse_mass: V values, 0 for points that must not move.
-    void project(Points& x, const std::vector<double>& inverse_mass, double substep_s) const;
+    /// dlambda = -C / max(wa + wb + alpha / h^2, kappa alpha / h^2), the multiplier starting from zero in every substep
+    /// h (s). x: V points; inverse_mass: V values, 0 for points that must not move; kappa: 1, or balance_of() next to a
+    /// coarse correction.
+    void project(Points& x, const std::vector<double>& inverse_mass, double substep_s,
+                 double kappa = 1.0) const;
 
 private:
     std::vector<DistanceConstraint> items_;

@@ -14,6 +14,7 @@ public:
     VolumeConstraint(const Points& rest, std::vector<Tri> triangles, double pressure);
 
     double rest_volume() const { return rest_volume_; }
+    double wanted_volume() const { return wanted_; }
     /// Signed volume of x, scene units cubed; fills gradient() as a side product.
     double evaluate(const Points& x);
     const Points& gradient() const { return gradient_; }

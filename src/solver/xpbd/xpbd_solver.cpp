@@ -3,6 +3,7 @@
 #include "fascicle/base/assert.hpp"
 #include "fascicle/base/bytes_of.hpp"
 #include "fascicle/base/parallel.hpp"
+#include "solver/coarse/coarse_correction.hpp"
 #include "solver/constraints/dihedral.hpp"
 #include "solver/constraints/distance.hpp"
 #include "solver/constraints/volume.hpp"
@@ -49,7 +50,10 @@ private:
     std::vector<double> inverse_mass_;
     std::vector<ContactSolid> solids_;
     std::vector<ContactResult> touched_;
-    Points contact_normals_; ///< of the last substep's contacts, zero where there was none
+    Points contact_normals_;  ///< of the last substep's contacts, zero where there was none
+    CoarseCorrection coarse_; ///< empty when solver.coarse is 0
+    ElasticTerms terms_;
+    double balance_ = 1.0; ///< kappa of the sweeps: 1 without a coarse correction
     StepReport report_;
 };
 
@@ -79,6 +83,15 @@ XpbdSolver::XpbdSolver(const SoftBodyProblem& problem)
         // A vertex of no triangle is held by nothing; it stays where it is.
         if (problem_.body_of_vertex[i] >= 0 || topology_.vertex_component(static_cast<int>(i)) < 0)
             inverse_mass_[i] = 0.0;
+    const int clusters = problem.parameters.get_int("solver.coarse");
+    if (clusters > 0)
+        coarse_ = CoarseCorrection(x_, topology_, inverse_mass_, clusters);
+    if (!coarse_.empty()) {
+        const double h = frame_time_ / substeps_;
+        balance_ = balance_of(edges_.items(), h);
+        terms_ = {&edges_.items(), &dihedrals_.items(), problem.parameters.get("solver.bending"), h,
+                  1.0 - 1.0 / balance_};
+    }
     for (const SolidBody& solid : problem_.solids) {
         FASCICLE_ASSERT(solid.grid != nullptr);
         solids_.push_back({solid.grid.get(), Pose{}, Pose{}});
@@ -94,7 +107,7 @@ void XpbdSolver::advance(std::span<const Pose> from, std::span<const Pose> to) {
 std::size_t XpbdSolver::state_bytes() const {
     return bytes_of(problem_.body_of_vertex, problem_.edge_softness, problem_.carry_weights, x_, before_,
                     velocity_, carried_, inverse_mass_, touched_, contact_normals_) +
-           topology_.bytes() + edges_.bytes() + dihedrals_.bytes() + volume_.bytes();
+           topology_.bytes() + edges_.bytes() + dihedrals_.bytes() + volume_.bytes() + coarse_.bytes();
 }
 
 void XpbdSolver::substep(std::span<const Pose> from, std::span<const Pose> to, double s0, double s1) {
@@ -112,9 +125,13 @@ void XpbdSolver::substep(std::span<const Pose> from, std::span<const Pose> to, d
     };
     predict(h);
     stage("predict");
-    edges_.project(x_, inverse_mass_, h);
+    if (!coarse_.empty()) {
+        coarse_.correct(x_, terms_, volume_, inverse_mass_, contact_normals_);
+        stage("coarse");
+    }
+    edges_.project(x_, inverse_mass_, h, balance_);
     stage("edges");
-    dihedrals_.project(x_, inverse_mass_, h);
+    dihedrals_.project(x_, inverse_mass_, h, balance_);
     stage("dihedrals");
     volume_.project(x_, inverse_mass_, contact_normals_);
     stage("volume");
@@ -184,7 +201,9 @@ void XpbdSolver::update_velocities(double h) {
 } // namespace
 
 std::unique_ptr<SoftBodySolver> make_xpbd_solver(const SoftBodyProblem& problem) {
-    if (problem.parameters.get_choice("solver.kernel") == "fast")
+    // The packets know no coarse correction yet.
+    if (problem.parameters.get_choice("solver.kernel") == "fast" &&
+        problem.parameters.get_int("solver.coarse") == 0)
         if (auto fast = make_fast_solver(problem))
             return fast;
     return std::make_unique<XpbdSolver>(problem);

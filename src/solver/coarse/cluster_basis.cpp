@@ -1,0 +1,140 @@
+#include "solver/coarse/cluster_basis.hpp"
+
+#include "solver/coarse/cluster_seeds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fascicle::solver {
+
+namespace {
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+} // namespace
+
+ClusterBasis::ClusterBasis(const Points& rest, const MeshTopology& topology,
+                           const std::vector<double>& inverse_mass, int wanted)
+    : weights_(rest.size()) {
+    const ClusterSeeds seeds = find_cluster_seeds(rest, topology, inverse_mass, wanted);
+    clusters_ = static_cast<int>(seeds.vertices.size());
+    if (clusters_ == 0)
+        return;
+    radius_ = seeds.radius > 0 ? seeds.radius : 1.0;
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+        const auto& near = seeds.nearest[i];
+        if (inverse_mass[i] == 0.0 || near.count == 0)
+            continue;
+        const double reach = near.count == 5 ? near.distance[4] : near.distance[at(near.count - 1)] + radius_;
+        double sum = 0;
+        for (std::size_t k = 0; k < at(std::min(near.count, 4)); ++k) {
+            const double share = reach > 0 ? 1.0 - near.distance[k] / reach : 1.0;
+            weights_[i].cluster[k] = near.seed[k];
+            weights_[i].weight[k] = share * share;
+            sum += share * share;
+        }
+        // A vertex as far from all of its seeds as from the fifth follows the nearest.
+        if (!(sum > 0))
+            weights_[i].weight[0] = sum = 1.0;
+        const double ramp = std::min(1.0, seeds.from_fixed[i] / radius_);
+        for (double& w : weights_[i].weight)
+            w *= ramp / sum;
+    }
+    band_ = order_clusters(topology, weights_, clusters_);
+    set_reference(rest);
+}
+
+void ClusterBasis::find_centres(const Points& x) {
+    centre_.assign(at(clusters_), Vec3::Zero());
+    total_.assign(at(clusters_), 0.0);
+    for (std::size_t i = 0; i < x.size(); ++i)
+        for (std::size_t k = 0; k < 4; ++k)
+            if (const double w = weights_[i].weight[k]; w != 0.0) {
+                centre_[at(weights_[i].cluster[k])] += w * x[i];
+                total_[at(weights_[i].cluster[k])] += w;
+            }
+    for (std::size_t m = 0; m < centre_.size(); ++m)
+        if (total_[m] > 0)
+            centre_[m] /= total_[m];
+}
+
+void ClusterBasis::set_reference(const Points& x) {
+    find_centres(x);
+    reference_ = x;
+    reference_centre_ = centre_;
+    turn_.assign(at(clusters_), Eigen::Quaterniond::Identity());
+}
+
+double ClusterBasis::update_frames(const Points& x) {
+    find_centres(x);
+    std::vector<Mat3> moment(at(clusters_), Mat3::Zero());
+    for (std::size_t i = 0; i < x.size(); ++i)
+        for (std::size_t k = 0; k < 4; ++k)
+            if (const double w = weights_[i].weight[k]; w != 0.0) {
+                const std::size_t m = at(weights_[i].cluster[k]);
+                moment[m] += w * (x[i] - centre_[m]) * (reference_[i] - reference_centre_[m]).transpose();
+            }
+    double largest = 0;
+    for (std::size_t m = 0; m < turn_.size(); ++m) {
+        Eigen::Quaterniond& q = turn_[m];
+        for (int pass = 0; pass < 3; ++pass) {
+            const Mat3 r = q.toRotationMatrix();
+            Vec3 axis = Vec3::Zero();
+            double along = 0;
+            for (int c = 0; c < 3; ++c) {
+                axis += r.col(c).cross(moment[m].col(c));
+                along += r.col(c).dot(moment[m].col(c));
+            }
+            axis /= std::abs(along) + 1e-12 * moment[m].norm() + 1e-300;
+            const double angle = axis.norm();
+            if (!(angle > 1e-9) || !std::isfinite(angle))
+                break;
+            q = Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis / angle)) * q;
+            q.normalize();
+        }
+        largest = std::max(largest, 2.0 * std::acos(std::min(1.0, std::abs(q.w()))));
+    }
+    return largest;
+}
+
+void ClusterBasis::restrict_forces(const Points& x, const Points& f, std::span<float> out) const {
+    std::vector<Vec3> sums(2 * at(clusters_), Vec3::Zero());
+    for (std::size_t i = 0; i < x.size(); ++i)
+        for (std::size_t k = 0; k < 4; ++k)
+            if (const double w = weights_[i].weight[k]; w != 0.0) {
+                const std::size_t m = at(weights_[i].cluster[k]);
+                const Vec3 force = w * f[i];
+                sums[2 * m] += force;
+                sums[2 * m + 1] += (x[i] - centre_[m]).cross(force);
+            }
+    for (std::size_t m = 0; m < at(clusters_); ++m) {
+        const Mat3 back = turn_[m].toRotationMatrix().transpose();
+        const Vec3 force = back * sums[2 * m], torque = back * sums[2 * m + 1] / radius_;
+        for (int c = 0; c < 3; ++c) {
+            out[6 * m + at(c)] = static_cast<float>(force[c]);
+            out[6 * m + 3 + at(c)] = static_cast<float>(torque[c]);
+        }
+    }
+}
+
+void ClusterBasis::prolong(const Points& x, std::span<const float> q, Points& u) const {
+    std::vector<Vec3> modes(2 * at(clusters_));
+    for (std::size_t m = 0; m < at(clusters_); ++m) {
+        const Mat3 turn = turn_[m].toRotationMatrix();
+        modes[2 * m] = turn * Vec3(q[6 * m], q[6 * m + 1], q[6 * m + 2]);
+        modes[2 * m + 1] = turn * Vec3(q[6 * m + 3], q[6 * m + 4], q[6 * m + 5]) / radius_;
+    }
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        Vec3 sum = Vec3::Zero();
+        for (std::size_t k = 0; k < 4; ++k)
+            if (const double w = weights_[i].weight[k]; w != 0.0) {
+                const std::size_t m = at(weights_[i].cluster[k]);
+                sum += w * (modes[2 * m] + modes[2 * m + 1].cross(x[i] - centre_[m]));
+            }
+        u[i] = sum;
+    }
+}
+
+} // namespace fascicle::solver

@@ -1,0 +1,65 @@
+#pragma once
+// Smooth, nearly rigid movements of a surface with few unknowns: overlapping clusters of vertices, each with the six
+// rigid modes about its own centre. Vertex i moves by u_i = sum_m w_im (t_m + (omega_m / radius) x (x_i - c_m)).
+// The weights of a free vertex sum to one, but fall to zero towards fixed vertices, which have none.
+
+#include "fascicle/base/bytes_of.hpp"
+#include "fascicle/geometry/mesh_topology.hpp"
+
+#include <Eigen/Geometry>
+#include <array>
+#include <span>
+
+namespace fascicle::solver {
+
+/// Clusters of one vertex; unused places have weight zero.
+struct ClusterWeights {
+    std::array<int, 4> cluster{};
+    std::array<double, 4> weight{};
+};
+
+class ClusterBasis {
+public:
+    ClusterBasis() = default;
+    /// Seeds by farthest-point sampling along edges from the fixed vertices, at most `wanted` and one for every 20 free
+    /// vertices; weights (1 - d / d5)^2 of the four nearest seeds, d5 the distance of the fifth, times a ramp of
+    /// one cluster radius from the fixed vertices. Clusters are numbered so that neighbours are close (reverse
+    /// Cuthill-McKee). inverse_mass: V, 0 fixed.
+    ClusterBasis(const Points& rest, const MeshTopology& topology, const std::vector<double>& inverse_mass,
+                 int wanted);
+
+    int clusters() const { return clusters_; }
+    int unknowns() const { return 6 * clusters_; }
+    /// Half-width of a matrix that couples the clusters of vertices in one edge or hinge.
+    int band() const { return band_; }
+    double radius() const { return radius_; }
+    const std::vector<ClusterWeights>& weights() const { return weights_; }
+    const Vec3& centre(int cluster) const { return centre_[static_cast<std::size_t>(cluster)]; }
+
+    /// Takes x as the shape that frames are measured from: all turns become the identity.
+    void set_reference(const Points& x);
+    /// Centres and turns of the clusters at x, from the reference. Turns by the iteration of Mueller, Bender, Chentanez,
+    /// Macklin 2016, started from the last turn. Returns the largest angle (rad) of a turn.
+    double update_frames(const Points& x);
+
+    /// out = Q^T P^T f, 6 values a cluster (force, torque / radius) in the turned frames.
+    void restrict_forces(const Points& x, const Points& f, std::span<float> out) const;
+    /// u = P Q q, added to nothing: V displacements.
+    void prolong(const Points& x, std::span<const float> q, Points& u) const;
+
+    std::size_t bytes() const {
+        return bytes_of(weights_, reference_, centre_, reference_centre_, turn_, total_);
+    }
+
+private:
+    void find_centres(const Points& x);
+
+    int clusters_ = 0, band_ = 0;
+    double radius_ = 1;
+    std::vector<ClusterWeights> weights_;
+    Points reference_, centre_, reference_centre_;
+    std::vector<Eigen::Quaterniond> turn_;
+    std::vector<double> total_; ///< sum of the weights of a cluster
+};
+
+} // namespace fascicle::solver
