@@ -22,7 +22,8 @@ MUSCLES = ("iliacus", "gluteus_maximus")
 def simulate(args, muscle, substeps, clusters, back=0):
     """Folder of the run; makes it when it is not there."""
     folder = args.out / f"{muscle}_n{substeps}_c{clusters}_b{back}"
-    if (folder / "summary.json").exists():
+    summary = folder / "summary.json"
+    if summary.exists() and json.loads(summary.read_text())["state"] == "finished":
         return folder
     lhdl = args.data / "lhdl"
     command = [args.fascicle, "simulate", "--muscle", lhdl / f"{muscle}.vtk", "--bone", lhdl / "pelvis.obj",

@@ -69,12 +69,12 @@ void ClusterBasis::set_reference(const Points& x) {
 
 double ClusterBasis::update_frames(const Points& x) {
     find_centres(x);
-    std::vector<Mat3> moment(at(clusters_), Mat3::Zero());
+    moment_.assign(at(clusters_), Mat3::Zero());
     for (std::size_t i = 0; i < x.size(); ++i)
         for (std::size_t k = 0; k < 4; ++k)
             if (const double w = weights_[i].weight[k]; w != 0.0) {
                 const std::size_t m = at(weights_[i].cluster[k]);
-                moment[m] += w * (x[i] - centre_[m]) * (reference_[i] - reference_centre_[m]).transpose();
+                moment_[m] += w * (x[i] - centre_[m]) * (reference_[i] - reference_centre_[m]).transpose();
             }
     double largest = 0;
     for (std::size_t m = 0; m < turn_.size(); ++m) {
@@ -84,10 +84,10 @@ double ClusterBasis::update_frames(const Points& x) {
             Vec3 axis = Vec3::Zero();
             double along = 0;
             for (int c = 0; c < 3; ++c) {
-                axis += r.col(c).cross(moment[m].col(c));
-                along += r.col(c).dot(moment[m].col(c));
+                axis += r.col(c).cross(moment_[m].col(c));
+                along += r.col(c).dot(moment_[m].col(c));
             }
-            axis /= std::abs(along) + 1e-12 * moment[m].norm() + 1e-300;
+            axis /= std::abs(along) + 1e-12 * moment_[m].norm() + 1e-300;
             const double angle = axis.norm();
             if (!(angle > 1e-9) || !std::isfinite(angle))
                 break;
@@ -99,19 +99,19 @@ double ClusterBasis::update_frames(const Points& x) {
     return largest;
 }
 
-void ClusterBasis::restrict_forces(const Points& x, const Points& f, std::span<float> out) const {
-    std::vector<Vec3> sums(2 * at(clusters_), Vec3::Zero());
+void ClusterBasis::restrict_forces(const Points& x, const Points& f, std::span<float> out) {
+    modes_.assign(2 * at(clusters_), Vec3::Zero());
     for (std::size_t i = 0; i < x.size(); ++i)
         for (std::size_t k = 0; k < 4; ++k)
             if (const double w = weights_[i].weight[k]; w != 0.0) {
                 const std::size_t m = at(weights_[i].cluster[k]);
                 const Vec3 force = w * f[i];
-                sums[2 * m] += force;
-                sums[2 * m + 1] += (x[i] - centre_[m]).cross(force);
+                modes_[2 * m] += force;
+                modes_[2 * m + 1] += (x[i] - centre_[m]).cross(force);
             }
     for (std::size_t m = 0; m < at(clusters_); ++m) {
         const Mat3 back = turn_[m].toRotationMatrix().transpose();
-        const Vec3 force = back * sums[2 * m], torque = back * sums[2 * m + 1] / radius_;
+        const Vec3 force = back * modes_[2 * m], torque = back * modes_[2 * m + 1] / radius_;
         for (int c = 0; c < 3; ++c) {
             out[6 * m + at(c)] = static_cast<float>(force[c]);
             out[6 * m + 3 + at(c)] = static_cast<float>(torque[c]);
@@ -119,19 +119,19 @@ void ClusterBasis::restrict_forces(const Points& x, const Points& f, std::span<f
     }
 }
 
-void ClusterBasis::prolong(const Points& x, std::span<const float> q, Points& u) const {
-    std::vector<Vec3> modes(2 * at(clusters_));
+void ClusterBasis::prolong(const Points& x, std::span<const float> q, Points& u) {
+    modes_.resize(2 * at(clusters_));
     for (std::size_t m = 0; m < at(clusters_); ++m) {
         const Mat3 turn = turn_[m].toRotationMatrix();
-        modes[2 * m] = turn * Vec3(q[6 * m], q[6 * m + 1], q[6 * m + 2]);
-        modes[2 * m + 1] = turn * Vec3(q[6 * m + 3], q[6 * m + 4], q[6 * m + 5]) / radius_;
+        modes_[2 * m] = turn * Vec3(q[6 * m], q[6 * m + 1], q[6 * m + 2]);
+        modes_[2 * m + 1] = turn * Vec3(q[6 * m + 3], q[6 * m + 4], q[6 * m + 5]) / radius_;
     }
     for (std::size_t i = 0; i < x.size(); ++i) {
         Vec3 sum = Vec3::Zero();
         for (std::size_t k = 0; k < 4; ++k)
             if (const double w = weights_[i].weight[k]; w != 0.0) {
                 const std::size_t m = at(weights_[i].cluster[k]);
-                sum += w * (modes[2 * m] + modes[2 * m + 1].cross(x[i] - centre_[m]));
+                sum += w * (modes_[2 * m] + modes_[2 * m + 1].cross(x[i] - centre_[m]));
             }
         u[i] = sum;
     }

@@ -43,12 +43,12 @@ public:
     double update_frames(const Points& x);
 
     /// out = Q^T P^T f, 6 values a cluster (force, torque / radius) in the turned frames.
-    void restrict_forces(const Points& x, const Points& f, std::span<float> out) const;
+    void restrict_forces(const Points& x, const Points& f, std::span<float> out);
     /// u = P Q q, added to nothing: V displacements.
-    void prolong(const Points& x, std::span<const float> q, Points& u) const;
+    void prolong(const Points& x, std::span<const float> q, Points& u);
 
     std::size_t bytes() const {
-        return bytes_of(weights_, reference_, centre_, reference_centre_, turn_, total_);
+        return bytes_of(weights_, reference_, centre_, reference_centre_, turn_, total_, moment_, modes_);
     }
 
 private:
@@ -60,6 +60,8 @@ private:
     Points reference_, centre_, reference_centre_;
     std::vector<Eigen::Quaterniond> turn_;
     std::vector<double> total_; ///< sum of the weights of a cluster
+    std::vector<Mat3> moment_;  ///< scratch, as modes_: nothing is allocated in a frame
+    Points modes_;              ///< two a cluster: force and torque, or shift and turn
 };
 
 } // namespace fascicle::solver

@@ -15,7 +15,7 @@ constexpr std::uint32_t curvature_stride = 4;
 constexpr double safety = 1.5;
 /// A step that had to be shortened to this, or clusters that have turned by this, ask for a new matrix.
 constexpr double short_step = 0.4;
-constexpr double far_turn_rad = 0.1;
+constexpr double far_turn_rad = 0.2;
 /// Substeps that a matrix is kept at least.
 constexpr int least_age = 3;
 
