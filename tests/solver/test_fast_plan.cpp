@@ -1,5 +1,6 @@
 #include "solver/fast/packing.hpp"
 #include "solver/fast/plan.hpp"
+#include "solver/fast/thread_choice.hpp"
 #include "solver/fast/vertex_order.hpp"
 #include "solver/fast/worker_team.hpp"
 #include "support/shapes.hpp"
@@ -140,4 +141,18 @@ TEST_CASE("worker team: every thread runs, and none passes a meeting before the 
             team.run(body);
         CHECK(early == 0);
     }
+}
+
+TEST_CASE("thread choice: leaves the team while that is slow, and comes back", "[solver][fast][thread]") {
+    ThreadChoice choice;
+    // The machine gets busy after 100 frames, for 400; one thread always takes 1.8 ms.
+    int alone_idle = 0, alone_busy = 0, alone_after = 0;
+    for (int f = 0; f < 1000; ++f) {
+        const bool busy = f >= 100 && f < 500;
+        (f < 100 ? alone_idle : busy ? alone_busy : alone_after) += choice.alone() ? 1 : 0;
+        choice.record(choice.alone() ? 1.8e-3 : busy ? 5e-3 : 1e-3);
+    }
+    CHECK(alone_idle == 0);
+    CHECK(alone_busy > 320);
+    CHECK(alone_after < 80);
 }

@@ -5,8 +5,10 @@
 #include "fascicle/geometry/distance_grid.hpp"
 #include "fascicle/geometry/volume.hpp"
 #include "solver/constraints/volume.hpp"
+#include "solver/fast/chunk_split.hpp"
 #include "solver/fast/grid_slope.hpp"
 #include "solver/fast/plan.hpp"
+#include "solver/fast/thread_choice.hpp"
 #include "solver/fast/worker_team.hpp"
 
 #include <algorithm>
@@ -45,12 +47,13 @@ private:
     void make_fixed_groups();
     void make_solids();
     void set_solids(std::span<const Pose> from, std::span<const Pose> to);
-    void run_frame(int thread);
+    void run_frame(int thread, int threads, std::span<const Pose> to);
     void sweep(const ConstraintSet& set);
     void sum_volume(std::size_t chunk);
     StepSettings settings_after_volume() const;
     void place(std::size_t chunk, const SolidStep* solids);
-    void collect(std::span<const Pose> to);
+    void collect(const GroupRange& range, std::span<const Pose> to);
+    void sum_reports();
     VertexArrays arrays();
 
     SoftBodyProblem problem_;
@@ -69,7 +72,10 @@ private:
     std::vector<SolidStep> solids_;        ///< what of them does not change
     std::vector<VolumeSums> volume_sums_;
     std::vector<ContactSums> contact_sums_;
+    std::vector<int> vertex_of_record_; ///< -1 for padding
     WorkerTeam team_;
+    ThreadChoice choice_;
+    ChunkSplit split_;
     Points positions_;
     StepReport report_;
     std::array<double, stage_count> stage_seconds_{};
@@ -87,8 +93,8 @@ void set_affine(float (&out)[12], const Mat3& m, const Vec3& t) {
 FastSolver::FastSolver(const SoftBodyProblem& problem, Plan plan, const Kernels& kernels)
     : problem_(problem), plan_(std::move(plan)), kernels_(kernels),
       substeps_(passes_per_frame(problem.parameters)),
-      team_(std::clamp(problem.threads, 1, static_cast<int>(plan_.chunks.size()))),
-      positions_(problem.surface->positions) {
+      team_(std::clamp(problem.threads, 1, static_cast<int>(plan_.interiors.size()))),
+      split_(plan_.chunks.size(), team_.size()), positions_(problem.surface->positions) {
     const ParamSet& p = problem_.parameters;
     settings_.offset = static_cast<float>(p.get("contact.offset_mm") / problem.unit_mm);
     settings_.friction = static_cast<float>(p.get("contact.friction"));
@@ -114,8 +120,10 @@ void FastSolver::make_records() {
     for (std::size_t r = 0; r < plan_.records(); ++r)
         for (std::size_t k = 0; k < 3; ++k)
             records[4 * r + k] = corners[r % 4][k];
+    vertex_of_record_.assign(plan_.records(), -1);
     for (std::size_t i = 0; i < plan_.rest.size(); ++i) {
         const auto r = static_cast<std::size_t>(plan_.record_of_vertex[i]);
+        vertex_of_record_[r] = static_cast<int>(i);
         for (std::size_t k = 0; k < 3; ++k)
             records[4 * r + k] = static_cast<float>(plan_.rest[i][static_cast<Eigen::Index>(k)]);
         records[4 * r + 3] = plan_.inverse_mass[r];
@@ -231,9 +239,17 @@ void FastSolver::advance(std::span<const Pose> from, std::span<const Pose> to) {
     FASCICLE_ASSERT(from.size() == solids_.size() && to.size() == solids_.size());
     set_solids(from, to);
     std::fill(contact_sums_.begin(), contact_sums_.end(), ContactSums{});
-    auto body = [this](int thread) { run_frame(thread); };
-    team_.run(body);
-    collect(to);
+    const auto start = Clock::now();
+    if (team_.size() == 1 || choice_.alone()) {
+        run_frame(0, 1, to);
+    } else {
+        auto body = [&](int thread) { run_frame(thread, team_.size(), to); };
+        team_.run(body);
+        split_.balance();
+    }
+    if (team_.size() > 1)
+        choice_.record(std::chrono::duration<double>(Clock::now() - start).count());
+    sum_reports();
 }
 
 void FastSolver::sweep(const ConstraintSet& set) {
@@ -268,15 +284,25 @@ StepSettings FastSolver::settings_after_volume() const {
     return settings;
 }
 
-void FastSolver::run_frame(int thread) {
+void FastSolver::run_frame(int thread, int threads, std::span<const Pose> to) {
     const auto share = [&](std::size_t count, int t) {
-        return count * static_cast<std::size_t>(t) / static_cast<std::size_t>(team_.size());
+        return count * static_cast<std::size_t>(t) / static_cast<std::size_t>(threads);
     };
-    const std::size_t first_chunk = share(plan_.chunks.size(), thread),
-                      end_chunk = share(plan_.chunks.size(), thread + 1);
-    const std::size_t first_set = share(plan_.interiors.size(), thread),
-                      end_set = share(plan_.interiors.size(), thread + 1);
+    const std::size_t first_set = share(plan_.interiors.size(), thread);
+    const std::size_t end_set = share(plan_.interiors.size(), thread + 1);
     const std::size_t end_interface = std::min(end_set, plan_.interfaces.size());
+    const std::size_t first_chunk = threads > 1 ? split_.begin(thread) : 0;
+    const std::size_t end_chunk = threads > 1 ? split_.end(thread) : plan_.chunks.size();
+    const auto for_chunks = [&](const auto& body) {
+        const auto start = Clock::now();
+        for (std::size_t c = first_chunk; c < end_chunk; ++c)
+            body(c, plan_.chunks[c]);
+        split_.add(thread, std::chrono::duration<double>(Clock::now() - start).count());
+    };
+    const auto meet = [&] {
+        if (threads > 1)
+            team_.meet();
+    };
     auto lap = Clock::now();
     const auto stage = [&](Stage s) {
         if (thread != 0)
@@ -288,38 +314,37 @@ void FastSolver::run_frame(int thread) {
     const auto solids_of = [&](int k) {
         return solid_steps_.data() + static_cast<std::size_t>(k) * solids_.size();
     };
-    const auto predict = [&](std::size_t c, int k) {
-        const GroupRange range = plan_.chunks[c];
+    const auto predict = [&](std::size_t c, const GroupRange& range, int k) {
         kernels_.predict(arrays(), range.begin, range.end, solids_of(k), settings_);
         place(c, solids_of(k));
     };
 
-    for (std::size_t c = first_chunk; c < end_chunk; ++c)
-        predict(c, 0);
-    team_.meet();
+    for_chunks([&](std::size_t c, const GroupRange& range) { predict(c, range, 0); });
+    meet();
     stage(predict_stage);
     for (int k = 0; k < substeps_; ++k) {
         for (std::size_t s = first_set; s < end_set; ++s)
             sweep(plan_.interiors[s]);
-        team_.meet();
+        meet();
         if (!plan_.interfaces.empty()) {
             for (std::size_t s = first_set; s < end_interface; ++s)
                 sweep(plan_.interfaces[s]);
-            team_.meet();
+            meet();
         }
         stage(constraint_stage);
-        for (std::size_t c = first_chunk; c < end_chunk; ++c)
-            sum_volume(c);
-        team_.meet();
+        for_chunks([&](std::size_t c, const GroupRange&) { sum_volume(c); });
+        meet();
         stage(volume_stage);
         const StepSettings settings = settings_after_volume();
-        for (std::size_t c = first_chunk; c < end_chunk; ++c) {
-            const GroupRange range = plan_.chunks[c];
+        for_chunks([&](std::size_t c, const GroupRange& range) {
             kernels_.finish(arrays(), range.begin, range.end, solids_of(k), settings, contact_sums_[c]);
             if (k + 1 < substeps_)
-                predict(c, k + 1);
-        }
-        team_.meet();
+                predict(c, range, k + 1);
+            else
+                collect(range, to);
+        });
+        if (k + 1 < substeps_)
+            meet();
         stage(contact_stage);
     }
 }
@@ -328,23 +353,27 @@ std::size_t FastSolver::state_bytes() const {
     const auto bytes = [](const auto& list) { return list.size() * sizeof(list[0]); };
     return bytes(records_) + bytes(groups_) + bytes(slack_) + bytes(carry_) + bytes(fixed_) +
            bytes(positions_) + bytes(plan_.edges) + bytes(plan_.hinges) + bytes(plan_.rings) +
-           bytes(plan_.rest) + bytes(plan_.record_of_vertex) + bytes(plan_.inverse_mass) +
-           3 * bytes(plan_.ring_base) + bytes(problem_.body_of_vertex) + bytes(problem_.edge_softness) +
-           bytes(problem_.carry_weights);
+           bytes(plan_.rest) + bytes(plan_.record_of_vertex) + bytes(vertex_of_record_) +
+           bytes(plan_.inverse_mass) + 3 * bytes(plan_.ring_base) + bytes(problem_.body_of_vertex) +
+           bytes(problem_.edge_softness) + bytes(problem_.carry_weights);
 }
 
-void FastSolver::collect(std::span<const Pose> to) {
+/// Positions in the caller's order and frame.
+void FastSolver::collect(const GroupRange& range, std::span<const Pose> to) {
     const auto* records = reinterpret_cast<const float*>(records_.data());
-    const Points& rest = problem_.surface->positions;
-    for (std::size_t i = 0; i < positions_.size(); ++i) {
-        const int body = problem_.body_of_vertex[i];
-        if (body >= 0) {
-            positions_[i] = to[static_cast<std::size_t>(body)].apply(rest[i]);
+    for (std::size_t r = packet * range.begin; r < packet * range.end; ++r) {
+        const int vertex = vertex_of_record_[r];
+        if (vertex < 0)
             continue;
-        }
-        const float* r = records + 4 * plan_.record_of_vertex[i];
-        positions_[i] = plan_.origin + Vec3(double(r[0]), double(r[1]), double(r[2]));
+        const auto i = static_cast<std::size_t>(vertex);
+        const int body = problem_.body_of_vertex[i];
+        const float* p = records + 4 * r;
+        positions_[i] = body >= 0 ? to[static_cast<std::size_t>(body)].apply(problem_.surface->positions[i])
+                                  : Vec3(plan_.origin + Vec3(double(p[0]), double(p[1]), double(p[2])));
     }
+}
+
+void FastSolver::sum_reports() {
     for (const ContactSums& part : contact_sums_) {
         report_.contacts += part.contacts;
         report_.unresolved += part.unresolved;

@@ -14,7 +14,6 @@ namespace fascicle::solver::fast {
 namespace {
 
 /// Constraints of one set with their record numbers, and what becomes of them in packets.
-template <typename Constraint>
 struct SetItems {
     std::vector<int> numbers; ///< into the list of constraints
     std::vector<int> corners; ///< records, arity in a row
@@ -22,9 +21,14 @@ struct SetItems {
 
 /// Deals constraints by record numbers into interiors (0 .. blocks - 1) and interfaces (blocks ..).
 template <typename Corners>
-std::vector<SetItems<Corners>> deal(std::size_t count, std::size_t blocks, std::size_t block_records,
-                                    std::size_t arity, const Corners& corners) {
-    std::vector<SetItems<Corners>> sets(2 * blocks);
+std::vector<SetItems> deal(std::size_t count, const BlockLayout& layout, std::size_t arity,
+                           const Corners& corners) {
+    std::vector<SetItems> sets(2 * layout.blocks());
+    const auto block_of = [&](int record) {
+        const auto next = std::upper_bound(layout.first_record.begin(), layout.first_record.end(),
+                                           static_cast<std::size_t>(record));
+        return static_cast<std::size_t>(next - layout.first_record.begin()) - 1;
+    };
     std::vector<std::array<int, 2>> by_first; // least record, constraint
     for (std::size_t c = 0; c < count; ++c) {
         int low = corners(c, 0);
@@ -37,8 +41,8 @@ std::vector<SetItems<Corners>> deal(std::size_t count, std::size_t blocks, std::
         int high = low;
         for (std::size_t k = 0; k < arity; ++k)
             high = std::max(high, corners(static_cast<std::size_t>(c), k));
-        const std::size_t block = static_cast<std::size_t>(low) / block_records;
-        auto& set = sets[static_cast<std::size_t>(high) / block_records == block ? block : blocks + block];
+        const std::size_t block = block_of(low);
+        auto& set = sets[block_of(high) == block ? block : layout.blocks() + block];
         set.numbers.push_back(c);
         for (std::size_t k = 0; k < arity; ++k)
             set.corners.push_back(corners(static_cast<std::size_t>(c), k));
@@ -48,8 +52,9 @@ std::vector<SetItems<Corners>> deal(std::size_t count, std::size_t blocks, std::
 
 class PlanMaker {
 public:
-    PlanMaker(const SoftBodyProblem& problem, const MeshTopology& topology, Plan& plan, BlockLayout layout)
-        : problem_(problem), topology_(topology), plan_(plan), layout_(layout) {}
+    PlanMaker(const SoftBodyProblem& problem, const MeshTopology& topology, const std::vector<bool>& held,
+              Plan& plan, const BlockLayout& layout)
+        : problem_(problem), topology_(topology), held_(held), plan_(plan), layout_(layout) {}
 
     bool make() {
         place_vertices();
@@ -88,20 +93,19 @@ private:
             if (mass(d.p[0]) + mass(d.p[1]) + mass(d.p[2]) + mass(d.p[3]) > 0.0f)
                 hinges.push_back(d);
 
-        const auto edge_sets =
-            deal(edges.size(), layout_.blocks, layout_.block_records, 2, [&](std::size_t c, std::size_t k) {
-                return static_cast<int>(record(k == 0 ? edges[c].a : edges[c].b));
-            });
-        const auto hinge_sets =
-            deal(hinges.size(), layout_.blocks, layout_.block_records, 4,
-                 [&](std::size_t c, std::size_t k) { return static_cast<int>(record(hinges[c].p[k])); });
+        const auto edge_sets = deal(edges.size(), layout_, 2, [&](std::size_t c, std::size_t k) {
+            return static_cast<int>(record(k == 0 ? edges[c].a : edges[c].b));
+        });
+        const auto hinge_sets = deal(hinges.size(), layout_, 4, [&](std::size_t c, std::size_t k) {
+            return static_cast<int>(record(hinges[c].p[k]));
+        });
         std::vector<bool> movable;
         for (const float w : plan_.inverse_mass)
             movable.push_back(w > 0.0f);
         std::vector<int> rows;
-        for (std::size_t s = 0; s < 2 * layout_.blocks; ++s) {
-            const std::size_t block = s % layout_.blocks;
-            ConstraintSet set{block * layout_.block_records, plan_.edges.size(), 0, plan_.hinges.size(), 0};
+        for (std::size_t s = 0; s < 2 * layout_.blocks(); ++s) {
+            const std::size_t block = s % layout_.blocks();
+            ConstraintSet set{layout_.first_record[block], plan_.edges.size(), 0, plan_.hinges.size(), 0};
             if (!pack(edge_sets[s].corners, 2, movable, rows))
                 return false;
             for (std::size_t r = 0; r < rows.size(); r += packet)
@@ -114,15 +118,17 @@ private:
                     hinge_packet(hinges, hinge_sets[s].numbers, {rows.data() + r, packet}, set, per_h2));
             set.edges = plan_.edges.size() - set.first_edge;
             set.hinges = plan_.hinges.size() - set.first_hinge;
-            (s < layout_.blocks ? plan_.interiors : plan_.interfaces).push_back(set);
+            (s < layout_.blocks() ? plan_.interiors : plan_.interfaces).push_back(set);
         }
         plan_.interfaces.pop_back(); // behind the last block there is nothing
         return true;
     }
 
     /// Padding record k of the set's block: unmovable, each at a place of its own.
-    std::uint16_t dummy(std::size_t k) const {
-        return static_cast<std::uint16_t>(layout_.block_records - block_dummies + k);
+    std::uint16_t dummy(std::size_t k, const ConstraintSet& set) const {
+        const auto end =
+            std::upper_bound(layout_.first_record.begin(), layout_.first_record.end(), set.first_record);
+        return static_cast<std::uint16_t>(*end - set.first_record - block_dummies + k);
     }
     std::uint16_t index(int vertex, const ConstraintSet& set) const {
         return static_cast<std::uint16_t>(record(vertex) - set.first_record);
@@ -132,8 +138,8 @@ private:
                            std::span<const int> row, const ConstraintSet& set, double per_h2) {
         EdgePacket p{};
         for (std::size_t i = 0; i < packet; ++i) {
-            p.p[0][i] = dummy(0);
-            p.p[1][i] = dummy(1);
+            p.p[0][i] = dummy(0, set);
+            p.p[1][i] = dummy(1, set);
             if (row[i] < 0) {
                 ++plan_.padding;
                 continue;
@@ -154,7 +160,7 @@ private:
         HingePacket p{};
         for (std::size_t i = 0; i < packet; ++i) {
             for (std::size_t k = 0; k < 4; ++k)
-                p.p[k][i] = dummy(k);
+                p.p[k][i] = dummy(k, set);
             p.cosine[i] = 1.0f;
             p.compliance[i] = 1.0f;
             if (row[i] < 0) {
@@ -179,16 +185,20 @@ private:
 
     const SoftBodyProblem& problem_;
     const MeshTopology& topology_;
+    const std::vector<bool>& held_;
     Plan& plan_;
-    BlockLayout layout_;
+    const BlockLayout& layout_;
 };
 
 } // namespace
 
 std::optional<Plan> make_plan(const SoftBodyProblem& problem, const MeshTopology& topology) {
+    std::vector<bool> held;
+    for (std::size_t i = 0; i < problem.body_of_vertex.size(); ++i)
+        held.push_back(problem.body_of_vertex[i] >= 0 || topology.vertex_component(static_cast<int>(i)) < 0);
     Plan plan;
-    const auto layout = lay_out_blocks(topology, plan);
-    if (!layout || !PlanMaker(problem, topology, plan, *layout).make())
+    const auto layout = lay_out_blocks(topology, held, plan);
+    if (!layout || !PlanMaker(problem, topology, held, plan, *layout).make())
         return std::nullopt;
     return plan;
 }

@@ -26,6 +26,33 @@ std::size_t span_of(const MeshTopology& topology, const std::vector<int>& place)
     return static_cast<std::size_t>(span);
 }
 
+/// Cuts the order into an even number of blocks (or one) of equal work, each at least `least` long; returns their ends.
+std::vector<std::size_t> cut(const std::vector<int>& order, const std::vector<bool>& held,
+                             std::size_t least) {
+    constexpr double held_work = 0.2; // of a free vertex
+    std::vector<double> work{0.0};
+    for (const int v : order)
+        work.push_back(work.back() + (held[static_cast<std::size_t>(v)] ? held_work : 1.0));
+    const std::size_t count = order.size();
+    for (std::size_t blocks = 2 * (count / (2 * largest_block) + 1); blocks >= 2; blocks -= 2) {
+        std::vector<std::size_t> ends;
+        std::size_t begin = 0;
+        for (std::size_t b = 1; b <= blocks; ++b) {
+            const double wanted = work.back() * static_cast<double>(b) / static_cast<double>(blocks);
+            auto end =
+                static_cast<std::size_t>(std::lower_bound(work.begin(), work.end(), wanted) - work.begin());
+            end = b == blocks ? count : std::clamp(end, std::min(count, begin + least), count);
+            ends.push_back(end);
+            if (end - begin < least)
+                break;
+            begin = end;
+        }
+        if (ends.size() == blocks && begin == count)
+            return ends;
+    }
+    return {count};
+}
+
 /// The vertices round v, in order, chain by chain. A closed chain ends with its first vertex.
 std::vector<std::vector<int>> chains_round(int v, const std::vector<Tri>& triangles,
                                            const MeshTopology& topology) {
@@ -63,7 +90,8 @@ std::vector<std::vector<int>> chains_round(int v, const std::vector<Tri>& triang
 
 } // namespace
 
-std::optional<BlockLayout> lay_out_blocks(const MeshTopology& topology, Plan& plan) {
+std::optional<BlockLayout> lay_out_blocks(const MeshTopology& topology, const std::vector<bool>& held,
+                                          Plan& plan) {
     const std::vector<int> order = vertex_order(topology);
     const std::size_t count = order.size();
     std::vector<int> place(count);
@@ -71,20 +99,14 @@ std::optional<BlockLayout> lay_out_blocks(const MeshTopology& topology, Plan& pl
         place[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
 
     // Interfaces on both sides of a block must not meet in it.
-    const std::size_t least = 2 * (span_of(topology, place) + sort_window);
-    std::size_t blocks = std::max<std::size_t>(1, (count + block_target / 2) / block_target);
-    blocks = std::max<std::size_t>(1, std::min(blocks, count / std::max<std::size_t>(least, 1)));
-    const std::size_t size = ((count + blocks - 1) / blocks + sort_window - 1) / sort_window * sort_window;
-    blocks = std::max<std::size_t>(1, (count + size - 1) / size);
-    BlockLayout layout{blocks, size + block_dummies};
-    if ((blocks > 1 ? 2 : 1) * layout.block_records > reach)
-        return std::nullopt;
-
+    const std::size_t least = std::max(2 * (span_of(topology, place) + sort_window), smallest_block);
+    const std::vector<std::size_t> ends = cut(order, held, least);
+    BlockLayout layout{{0}};
     plan.record_of_vertex.assign(count, -1);
-    plan.groups = blocks * layout.block_records / packet;
-    for (std::size_t b = 0; b < blocks; ++b) {
-        std::vector<int> mine(order.begin() + static_cast<std::ptrdiff_t>(b * size),
-                              order.begin() + static_cast<std::ptrdiff_t>(std::min(count, (b + 1) * size)));
+    std::size_t begin = 0, first = 0;
+    for (const std::size_t end : ends) {
+        std::vector<int> mine(order.begin() + static_cast<std::ptrdiff_t>(begin),
+                              order.begin() + static_cast<std::ptrdiff_t>(end));
         for (std::size_t w = 0; w < mine.size(); w += sort_window)
             std::stable_sort(
                 mine.begin() + static_cast<std::ptrdiff_t>(w),
@@ -93,13 +115,18 @@ std::optional<BlockLayout> lay_out_blocks(const MeshTopology& topology, Plan& pl
                     return topology.vertex_triangles(a).size() < topology.vertex_triangles(c).size();
                 });
         for (std::size_t i = 0; i < mine.size(); ++i)
-            plan.record_of_vertex[static_cast<std::size_t>(mine[i])] =
-                static_cast<int>(b * layout.block_records + i);
-        const std::size_t first = b * layout.block_records / packet,
-                          end = first + layout.block_records / packet;
-        for (std::size_t g = first; g < end; g += chunk_groups)
-            plan.chunks.push_back({g, std::min(end, g + chunk_groups)});
+            plan.record_of_vertex[static_cast<std::size_t>(mine[i])] = static_cast<int>(first + i);
+        const std::size_t records = (mine.size() + packet - 1) / packet * packet + block_dummies;
+        for (std::size_t g = first / packet; g < (first + records) / packet; g += chunk_groups)
+            plan.chunks.push_back({g, std::min((first + records) / packet, g + chunk_groups)});
+        begin = end;
+        first += records;
+        layout.first_record.push_back(first);
     }
+    plan.groups = first / packet;
+    for (std::size_t b = 0; b < layout.blocks(); ++b)
+        if (layout.first_record[std::min(b + 2, layout.blocks())] - layout.first_record[b] > reach)
+            return std::nullopt;
     return layout;
 }
 
