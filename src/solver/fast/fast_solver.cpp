@@ -255,7 +255,7 @@ void FastSolver::advance(std::span<const Pose> from, std::span<const Pose> to) {
 void FastSolver::sweep(const ConstraintSet& set) {
     float* base = reinterpret_cast<float*>(records_.data()) + 4 * set.first_record;
     kernels_.edges(base, plan_.edges.data() + set.first_edge, set.edges);
-    kernels_.hinges(base, plan_.hinges.data() + set.first_hinge, set.hinges);
+    kernels_.hinges(base, plan_.hinges.data() + set.first_hinge, set.hinges, plan_.relax);
 }
 
 void FastSolver::place(std::size_t chunk, const SolidStep* solids) {

@@ -1,6 +1,6 @@
 // The kernels for one instruction set; its compiler flags are set in src/solver/CMakeLists.txt.
 
-#include "solver/fast/kernels_vertices.hpp"
+#include "solver/fast/kernels_coarse.hpp"
 #include "solver/fast/lanes_avx2.hpp"
 
 namespace fascicle::solver::fast {

@@ -80,9 +80,9 @@ inline typename L::V limited_angle(typename L::V s, typename L::V c) {
 /// |e| (N1 . b) and cosine N1 . N2 up to a common positive factor (methods notes 1.1; Bridson et al. 2003). The difference
 /// to the rest angle comes from the sum formulas, so it needs no wrapping. Gradients: grad p0 = |e| N1 / |N1|^2, grad p1 =
 /// |e| N2 / |N2|^2, and with u0 = a.e / e.e, u1 = b.e / e.e: grad p3 = -(u0 g0 + u1 g1), grad p2 = (u0 - 1) g0 + (u1 - 1) g1.
-/// Slivers, |N|^2 < 1e-4 |e|^4, are left alone.
+/// Slivers, |N|^2 < 1e-4 |e|^4, are left alone. dlambda = -C / max(relax alpha~, sum w |grad|^2 + alpha~): with relax = 1 plain XPBD.
 template <class L>
-void project_hinges(float* records, const HingePacket* packets, std::size_t count) {
+void project_hinges(float* records, const HingePacket* packets, std::size_t count, float relax) {
     using V = typename L::V;
     for (std::size_t p = 0; p < count; ++p)
         for (std::size_t q = 0; q < packet; q += L::width) {
@@ -117,7 +117,9 @@ void project_hinges(float* records, const HingePacket* packets, std::size_t coun
             const V g2 = L::fma(v0 * v0, per_s1, L::fma(v1 * v1, per_s2, v0 * v1 * mixed));
             const V g3 = L::fma(u0 * u0, per_s1, L::fma(u1 * u1, per_s2, u0 * u1 * mixed));
             const V sum = L::fma(r0[3], per_s1, L::fma(r1[3], per_s2, L::fma(r2[3], g2, r3[3] * g3)));
-            const V weight = L::fma(e2, sum, L::load(h.compliance + q));
+            const V compliance = L::load(h.compliance + q), least_weight = L::splat(relax) * compliance;
+            V weight = L::fma(e2, sum, compliance);
+            weight = weight > least_weight ? weight : least_weight;
             V m = -error * length / weight;
             m = usable & (weight > zero) ? m : zero;
             const V m1 = usable ? m * per_s1 : zero, m2 = usable ? m * per_s2 : zero;

@@ -322,16 +322,4 @@ void place_fixed(const VertexArrays& v, const FixedGroup* fixed, std::size_t cou
         }
 }
 
-template <class L>
-constexpr Kernels make_kernels(const char* name) {
-    return {name,
-            L::width,
-            project_edges<L>,
-            project_hinges<L>,
-            volume_gradients<L>,
-            finish_substep<L>,
-            predict_substep<L>,
-            place_fixed<L>};
-}
-
 } // namespace fascicle::solver::fast

@@ -16,7 +16,8 @@ inline constexpr std::size_t block_dummies = 16; ///< unmovable records behind e
 /// Sixteen distance constraints with no vertex in common. Indices count from the first record of the set.
 struct alignas(64) EdgePacket {
     float rest[packet];
-    float gain[packet]; ///< 1 / (wa + wb + alpha / h^2): the weights are known beforehand
+    float gain[packet];      ///< 1 / max(wa + wb + alpha~, kappa alpha~), alpha~ = alpha / h^2: the weights are known beforehand
+    float stiffness[packet]; ///< of the edge as a spring of the coarse step
     std::uint16_t p[2][packet];
 };
 
@@ -47,6 +48,33 @@ struct alignas(64) FixedGroup {
     std::uint32_t solid;
     std::uint32_t mask; ///< bit i: vertex i of the group
 };
+
+/// Hinges as springs for the coarse step: stiffness share / max(alpha~, thin sum |grad|^2).
+struct HingeSprings {
+    float share;
+    float thin;
+};
+
+/// Sixteen vertices of one cluster of the coarse step; padding has weight 0.
+struct alignas(64) MemberPacket {
+    float weight[packet];
+    std::uint16_t index[packet]; ///< records after `base`
+    std::uint32_t base;
+};
+
+struct CoarseMembers {
+    const MemberPacket* packets;
+    std::size_t count;
+};
+
+/// The clusters of the sixteen vertices of a group, four each; unused ones have weight 0.
+struct alignas(64) CoarseShare {
+    float weight[4][packet];
+    std::uint16_t cluster[4][packet];
+};
+
+/// Most clusters that the coarse step can have.
+inline constexpr std::size_t max_clusters = 1024;
 
 /// A solid during one substep, in coordinates relative to the kernel's origin. 3 x 4 matrices are row-major, last column
 /// the shift.
@@ -103,13 +131,31 @@ struct Kernels {
     const char* name;
     int lanes;
     void (*edges)(float* records, const EdgePacket* packets, std::size_t count);
-    void (*hinges)(float* records, const HingePacket* packets, std::size_t count);
+    /// relax >= 1: a hinge gives way by at least relax alpha~, however small its gradient.
+    void (*hinges)(float* records, const HingePacket* packets, std::size_t count, float relax);
     void (*volume)(const VertexArrays& v, std::size_t begin, std::size_t end, VolumeSums& sums);
     void (*finish)(const VertexArrays& v, std::size_t begin, std::size_t end, const SolidStep* solids,
                    const StepSettings& settings, ContactSums& sums);
     void (*predict)(const VertexArrays& v, std::size_t begin, std::size_t end, const SolidStep* solids,
                     const StepSettings& settings);
     void (*place)(const VertexArrays& v, const FixedGroup* fixed, std::size_t count, const SolidStep* solids);
+    // The coarse step: kernels_coarse.hpp.
+    void (*edge_forces)(const float* records, float* forces, const EdgePacket* packets, std::size_t count);
+    void (*hinge_forces)(const float* records, float* forces, const HingePacket* packets, std::size_t count,
+                         const HingeSprings& springs);
+    double (*edge_stiffness)(const float* records, const float* moves, const EdgePacket* packets, std::size_t count,
+                             std::size_t stride);
+    double (*hinge_stiffness)(const float* records, const float* moves, const HingePacket* packets, std::size_t count,
+                              std::size_t stride, const HingeSprings& springs);
+    void (*loads)(const VertexArrays& v, std::size_t begin, std::size_t end, float pressure, float* forces,
+                  float* gradients);
+    void (*sum_loads)(const float* records, const float* loads, const CoarseMembers& members, const float centre[3],
+                      float out[6]);
+    void (*sum_shape)(const float* records, const float* reference, const CoarseMembers& members,
+                      const float centres[6], float out[12]);
+    double (*spread)(const VertexArrays& v, const CoarseShare* shares, std::size_t begin, std::size_t end,
+                     const float* motion, float* moves);
+    void (*apply)(float* records, const float* moves, std::size_t begin, std::size_t end, float share);
 };
 
 /// Fastest first; only those that this processor can run.

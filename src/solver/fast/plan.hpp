@@ -34,6 +34,7 @@ struct Plan {
     std::vector<HingePacket> hinges;
     std::vector<std::uint16_t> rings;
     std::vector<std::uint32_t> ring_base, ring_first, ring_length; ///< by group
+    float relax = 1; ///< kappa, see balance_of(): 1 without the coarse step
     std::size_t padding = 0; ///< lanes of constraint packets without a constraint
 
     std::size_t records() const { return packet * groups; }

@@ -1,0 +1,246 @@
+#include "solver/fast/fast_coarse.hpp"
+
+#include "solver/coarse/coarse_step.hpp"
+#include "solver/edge_constraints.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fascicle::solver::fast {
+
+namespace {
+
+float* floats(std::vector<Row>& rows) {
+    return reinterpret_cast<float*>(rows.data());
+}
+const float* floats(const std::vector<Row>& rows) {
+    return reinterpret_cast<const float*>(rows.data());
+}
+
+double dot(const std::vector<float>& a, const std::vector<float>& b) {
+    double total = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        total += static_cast<double>(a[i]) * static_cast<double>(b[i]);
+    return total;
+}
+
+std::vector<double> masses(const SoftBodyProblem& problem, const Plan& plan) {
+    std::vector<double> mass;
+    for (std::size_t i = 0; i < problem.body_of_vertex.size(); ++i)
+        mass.push_back(static_cast<double>(plan.inverse_mass[static_cast<std::size_t>(plan.record_of_vertex[i])]));
+    return mass;
+}
+
+int wanted_clusters(const SoftBodyProblem& problem) {
+    return std::min(problem.parameters.get_int("solver.coarse"), static_cast<int>(max_clusters));
+}
+
+} // namespace
+
+FastCoarse::FastCoarse(const SoftBodyProblem& problem, const MeshTopology& topology, const Plan& plan,
+                       const Kernels& kernels)
+    : plan_(plan), kernels_(kernels), hinges_(plan.rest, topology.dihedrals(), problem.parameters.get("solver.bending")),
+      edges_(make_edge_constraints(problem, plan.rest, topology)), mass_(masses(problem, plan)) {
+    const double h = problem.parameters.get("solver.frame_time") / passes_per_frame(problem.parameters);
+    if (wanted_clusters(problem) > 0)
+        matrix_ = CoarseMatrix(plan.rest, topology, mass_, wanted_clusters(problem));
+    if (empty())
+        return;
+    terms_ = make_elastic_terms(edges_, hinges_.items(), problem.parameters, h);
+    springs_ = {static_cast<float>(terms_.share), static_cast<float>(thin_hinge_compliance(terms_))};
+    for (std::vector<Row>* records : {&forces_, &gradients_, &moves_, &reference_})
+        records->assign(4 * plan.groups, Row{});
+    motion_.assign(2 * 4 * max_clusters / packet, Row{});
+    squares_.assign(plan.chunks.size(), 0.0);
+    stiffness_.assign(plan.interiors.size() + plan.interfaces.size(), 0.0);
+    for (auto* values : {&q_, &r_, &qg_, &g_})
+        values->resize(static_cast<std::size_t>(matrix_.basis().unknowns()));
+    positions_.resize(plan.rest.size());
+    normals_.resize(plan.rest.size());
+    make_members(plan);
+}
+
+void FastCoarse::make_members(const Plan& plan) {
+    const auto& weights = matrix_.basis().weights();
+    const auto count = static_cast<std::size_t>(matrix_.basis().clusters());
+    std::vector<std::vector<std::pair<std::size_t, float>>> lists(count);
+    shares_.assign(plan.groups, CoarseShare{});
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        const auto r = static_cast<std::size_t>(plan.record_of_vertex[i]);
+        for (std::size_t k = 0; k < 4; ++k) {
+            const auto w = static_cast<float>(weights[i].weight[k]);
+            const auto cluster = static_cast<std::size_t>(weights[i].cluster[k]);
+            shares_[r / packet].weight[k][r % packet] = w;
+            shares_[r / packet].cluster[k][r % packet] = static_cast<std::uint16_t>(cluster);
+            if (w > 0.0f)
+                lists[cluster].emplace_back(r, w);
+        }
+    }
+    sums_.resize(count);
+    for (auto& list : lists) {
+        std::sort(list.begin(), list.end());
+        std::vector<MemberPacket> packets;
+        for (std::size_t i = 0; i < list.size();) {
+            MemberPacket next{};
+            next.base = static_cast<std::uint32_t>(list[i].first);
+            for (std::size_t k = 0; k < packet && i < list.size() && list[i].first - next.base <= 65535; ++k, ++i) {
+                next.index[k] = static_cast<std::uint16_t>(list[i].first - next.base);
+                next.weight[k] = list[i].second;
+            }
+            packets.push_back(next);
+        }
+        members_.push_back(std::move(packets));
+    }
+}
+
+void FastCoarse::clear(const GroupRange& range) {
+    std::fill(forces_.begin() + static_cast<std::ptrdiff_t>(4 * range.begin),
+              forces_.begin() + static_cast<std::ptrdiff_t>(4 * range.end), Row{});
+}
+
+void FastCoarse::push(const float* records, const ConstraintSet& set) {
+    const std::size_t first = 4 * set.first_record;
+    kernels_.edge_forces(records + first, floats(forces_) + first, plan_.edges.data() + set.first_edge, set.edges);
+    kernels_.hinge_forces(records + first, floats(forces_) + first, plan_.hinges.data() + set.first_hinge, set.hinges,
+                          springs_);
+}
+
+void FastCoarse::load(const VertexArrays& v, const GroupRange& range) {
+    kernels_.loads(v, range.begin, range.end, static_cast<float>(pressure_), floats(forces_), floats(gradients_));
+}
+
+void FastCoarse::sum(const float* records, std::size_t cluster) {
+    ClusterSums& s = sums_[cluster];
+    const CoarseMembers members{members_[cluster].data(), members_[cluster].size()};
+    if (assemblies_ > 0)
+        kernels_.sum_shape(records, floats(reference_), members, s.centres, s.shape);
+    kernels_.sum_loads(records, floats(forces_), members, s.centre, s.force);
+    kernels_.sum_loads(records, floats(gradients_), members, s.centre, s.gradient);
+}
+
+void FastCoarse::assemble(const VertexArrays& v) {
+    for (std::size_t i = 0; i < positions_.size(); ++i) {
+        const auto r = static_cast<std::size_t>(plan_.record_of_vertex[i]);
+        const VertexGroup& group = v.groups[r / packet];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto c = static_cast<Eigen::Index>(k);
+            positions_[i][c] = static_cast<double>(v.records[4 * r + k]);
+            normals_[i][c] = group.touched != 0 ? static_cast<double>(group.normal[k][r % packet]) : 0.0;
+        }
+    }
+    std::copy(v.records, v.records + 4 * plan_.records(), floats(reference_));
+    matrix_.assemble(positions_, terms_, mass_, normals_);
+    for (std::size_t m = 0; m < sums_.size(); ++m)
+        for (std::size_t k = 0; k < 3; ++k)
+            sums_[m].centres[k] = sums_[m].centres[3 + k] =
+                static_cast<float>(matrix_.basis().centre(static_cast<int>(m))[static_cast<Eigen::Index>(k)]);
+    age_ = 0;
+    stale_ = false;
+    ++assemblies_;
+}
+
+void FastCoarse::solve(const VertexArrays& v, double volume_error) {
+    ClusterBasis& basis = matrix_.basis();
+    const auto vec = [](const float* p) {
+        return Vec3(static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2]));
+    };
+    // Torques were formed about the centres of the step before: moved to the new ones below.
+    double turned = 0;
+    if (assemblies_ > 0)
+        for (std::size_t m = 0; m < sums_.size(); ++m) {
+            const ClusterSums& s = sums_[m];
+            Mat3 moment;
+            for (Eigen::Index i = 0; i < 3; ++i)
+                for (Eigen::Index j = 0; j < 3; ++j)
+                    moment(i, j) = static_cast<double>(s.shape[3 + 3 * i + j]);
+            turned = std::max(turned, basis.set_frame(static_cast<int>(m), vec(s.centres), vec(s.shape), moment));
+        }
+    if (assemblies_ == 0 || stale_ || turned > far_turn_rad)
+        assemble(v);
+    ++age_;
+    ++steps_;
+    const double per_radius = 1.0 / basis.radius();
+    for (std::size_t m = 0; m < sums_.size(); ++m) {
+        ClusterSums& s = sums_[m];
+        const Vec3 centre = basis.centre(static_cast<int>(m));
+        const Mat3 back = basis.turn(static_cast<int>(m)).transpose();
+        const auto into = [&](const float* sum, std::vector<float>& out) {
+            const Vec3 force = vec(sum), torque = vec(sum + 3) + (vec(s.centre) - centre).cross(force);
+            const Vec3 f = back * force, t = per_radius * (back * torque);
+            for (Eigen::Index k = 0; k < 3; ++k) {
+                out[6 * m + static_cast<std::size_t>(k)] = static_cast<float>(f[k]);
+                out[6 * m + 3 + static_cast<std::size_t>(k)] = static_cast<float>(t[k]);
+            }
+        };
+        into(s.force, r_);
+        into(s.gradient, g_);
+    }
+    q_ = r_;
+    qg_ = g_;
+    matrix_.solve(q_, qg_);
+    const double gain = dot(g_, qg_);
+    more_ = gain > 0.0 ? (-volume_error - dot(g_, q_)) / gain : 0.0;
+    for (std::size_t i = 0; i < q_.size(); ++i)
+        q_[i] += static_cast<float>(more_) * qg_[i];
+    slope_ = dot(r_, q_) + more_ * dot(g_, q_);
+    float* motion = floats(motion_);
+    for (std::size_t m = 0; m < sums_.size(); ++m) {
+        const Vec3 centre = basis.centre(static_cast<int>(m));
+        const Mat3 turn = basis.turn(static_cast<int>(m));
+        const Vec3 omega = per_radius * (turn * vec(&q_[6 * m + 3])), u = turn * vec(&q_[6 * m]) - omega.cross(centre);
+        for (std::size_t k = 0; k < 3; ++k) {
+            motion[4 * m + k] = static_cast<float>(u[static_cast<Eigen::Index>(k)]);
+            motion[4 * (max_clusters + m) + k] = static_cast<float>(omega[static_cast<Eigen::Index>(k)]);
+            sums_[m].centre[k] = static_cast<float>(centre[static_cast<Eigen::Index>(k)]);
+            sums_[m].centres[k] = sums_[m].centre[k];
+        }
+    }
+}
+
+void FastCoarse::spread(const VertexArrays& v, const GroupRange& range, std::size_t chunk) {
+    squares_[chunk] = kernels_.spread(v, shares_.data(), range.begin, range.end, floats(motion_), floats(moves_));
+}
+
+void FastCoarse::bend(const float* records, const ConstraintSet& set, std::size_t number) {
+    const std::size_t first = 4 * set.first_record, phase = static_cast<std::size_t>(steps_) % curvature_stride;
+    const std::size_t edge = std::min(phase, set.edges), hinge = std::min(phase, set.hinges);
+    stiffness_[number] =
+        kernels_.edge_stiffness(records + first, floats(moves_) + first, plan_.edges.data() + set.first_edge + edge,
+                                set.edges - edge, curvature_stride) +
+        kernels_.hinge_stiffness(records + first, floats(moves_) + first,
+                                 plan_.hinges.data() + set.first_hinge + hinge, set.hinges - hinge, curvature_stride,
+                                 springs_);
+}
+
+double FastCoarse::length() const {
+    double bend = 0;
+    for (const double s : stiffness_)
+        bend += s;
+    bend *= static_cast<double>(curvature_stride);
+    for (const double s : squares_)
+        bend += s;
+    const double length = bend > 0.0 ? std::clamp(slope_ / bend, 0.0, matrix_safety) : 0.0;
+    return std::isfinite(length) && std::isfinite(more_) ? length : 0.0;
+}
+
+void FastCoarse::apply(const VertexArrays& v, const GroupRange& range, double length) {
+    if (length > 0.0)
+        kernels_.apply(v.records, floats(moves_), range.begin, range.end, static_cast<float>(length));
+}
+
+void FastCoarse::conclude(double length) {
+    stale_ = age_ >= least_matrix_age && length < short_step;
+    pressure_ = std::isfinite(more_) && std::isfinite(slope_) ? pressure_ + more_ : 0.0;
+}
+
+std::size_t FastCoarse::bytes() const {
+    const auto bytes = [](const auto& list) { return list.size() * sizeof(list[0]); };
+    std::size_t total = matrix_.bytes() + bytes(forces_) + bytes(gradients_) + bytes(moves_) + bytes(reference_) +
+                        bytes(shares_) + bytes(sums_) + bytes(motion_) + bytes(edges_) + bytes(hinges_.items()) +
+                        bytes(mass_) + bytes(positions_) + bytes(normals_);
+    for (const auto& list : members_)
+        total += bytes(list);
+    return total;
+}
+
+} // namespace fascicle::solver::fast

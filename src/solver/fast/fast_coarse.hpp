@@ -1,0 +1,76 @@
+#pragma once
+// The coarse correction (solver/coarse/coarse_correction.hpp: what it is and why) in the fast kernel's arrays. A step has parts that all
+// threads take a share of, with a meeting after each, and one part for a single thread.
+
+#include "solver/coarse/coarse_matrix.hpp"
+#include "solver/fast/plan.hpp"
+
+namespace fascicle::solver::fast {
+
+struct alignas(64) Row {
+    float v[packet];
+};
+
+class FastCoarse {
+public:
+    /// No clusters: empty() and nothing else may be called.
+    FastCoarse(const SoftBodyProblem& problem, const MeshTopology& topology, const Plan& plan, const Kernels& kernels);
+
+    bool empty() const { return matrix_.empty(); }
+    std::size_t clusters() const { return members_.size(); }
+
+    /// For every chunk: forces to zero.
+    void clear(const GroupRange& range);
+    /// For every set of constraints, interfaces after interiors: their forces.
+    void push(const float* records, const ConstraintSet& set);
+    /// For every chunk, after the volume's gradients: what the step has to balance.
+    void load(const VertexArrays& v, const GroupRange& range);
+    /// For every cluster: forces, and where it is.
+    void sum(const float* records, std::size_t cluster);
+    /// By one thread: the motion of the clusters. volume_error: V minus the wanted one.
+    void solve(const VertexArrays& v, double volume_error);
+    /// For every chunk, numbered: displacements.
+    void spread(const VertexArrays& v, const GroupRange& range, std::size_t chunk);
+    /// For every set, numbered with the interfaces behind the interiors: how stiff the body is along the displacement.
+    void bend(const float* records, const ConstraintSet& set, std::size_t number);
+    /// By every thread alike: how far to go along the displacement.
+    double length() const;
+    /// For every chunk.
+    void apply(const VertexArrays& v, const GroupRange& range, double length);
+    /// By one thread, at the end of the step.
+    void conclude(double length);
+
+    std::size_t bytes() const;
+    std::int64_t assemblies() const { return assemblies_; }
+
+private:
+    void make_members(const Plan& plan);
+    void assemble(const VertexArrays& v);
+
+    const Plan& plan_;
+    const Kernels& kernels_;
+    CoarseMatrix matrix_;
+    DihedralConstraints hinges_; ///< in double, for the matrix
+    std::vector<DistanceConstraint> edges_;
+    ElasticTerms terms_;
+    HingeSprings springs_{};
+    std::vector<Row> forces_, gradients_, moves_, reference_; ///< records
+    std::vector<std::vector<MemberPacket>> members_;
+    std::vector<CoarseShare> shares_;
+    std::vector<Row> motion_; ///< two records a cluster: displacement of the origin, turn
+    struct alignas(64) ClusterSums {
+        float force[6], gradient[6], shape[12];
+        float centre[3], centres[6];
+    };
+    std::vector<ClusterSums> sums_;
+    std::vector<float> q_, r_, qg_, g_;
+    std::vector<double> squares_, stiffness_; ///< by chunk, by set
+    std::vector<double> mass_;                ///< V, inverse
+    Points positions_, normals_;              ///< scratch of assemble()
+    double pressure_ = 0, more_ = 0, slope_ = 0;
+    bool stale_ = true;
+    int age_ = 0;
+    std::int64_t steps_ = 0, assemblies_ = 0;
+};
+
+} // namespace fascicle::solver::fast
