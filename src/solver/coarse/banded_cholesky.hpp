@@ -4,6 +4,7 @@
 
 #include "fascicle/base/bytes_of.hpp"
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -12,6 +13,9 @@ namespace fascicle::solver {
 
 class BandedCholesky {
 public:
+    /// Six numbers and room for two zeros.
+    using Six = std::array<float, 8>;
+
     /// n rows; entries (i, j) with |i - j| > band are zero. Clears the matrix.
     void reset(int n, int band);
     int size() const { return n_; }
@@ -22,6 +26,11 @@ public:
     /// A = L L^T in place, column by column. A pivot that is not positive is replaced by a huge one, which takes its
     /// unknown out of the problem; returns how many.
     int factor();
+    /// Adds v v^T, where v has the six values row[k] at unknowns 6 cluster[k], zero elsewhere; clusters all differ and are near enough
+    /// for the band.
+    void add_outer(const int* cluster, const Six* row, int count);
+    /// Adds a matrix of the same size and band.
+    void add(const BandedCholesky& other);
     /// Solves L L^T x = b for two right-hand sides at once, in place: the factor is read once for both.
     void solve(std::span<float> b0, std::span<float> b1) const;
     std::size_t bytes() const { return bytes_of(values_); }

@@ -77,26 +77,38 @@ double ClusterBasis::update_frames(const Points& x) {
                 moment_[m] += w * (x[i] - centre_[m]) * (reference_[i] - reference_centre_[m]).transpose();
             }
     double largest = 0;
-    for (std::size_t m = 0; m < turn_.size(); ++m) {
-        Eigen::Quaterniond& q = turn_[m];
-        for (int pass = 0; pass < 3; ++pass) {
-            const Mat3 r = q.toRotationMatrix();
-            Vec3 axis = Vec3::Zero();
-            double along = 0;
-            for (int c = 0; c < 3; ++c) {
-                axis += r.col(c).cross(moment_[m].col(c));
-                along += r.col(c).dot(moment_[m].col(c));
-            }
-            axis /= std::abs(along) + 1e-12 * moment_[m].norm() + 1e-300;
-            const double angle = axis.norm();
-            if (!(angle > 1e-9) || !std::isfinite(angle))
-                break;
-            q = Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis / angle)) * q;
-            q.normalize();
-        }
-        largest = std::max(largest, 2.0 * std::acos(std::min(1.0, std::abs(q.w()))));
-    }
+    for (std::size_t m = 0; m < turn_.size(); ++m)
+        largest = std::max(largest, turn_to(m, moment_[m]));
     return largest;
+}
+
+double ClusterBasis::set_frame(int cluster, const Vec3& c, const Vec3& first, const Mat3& moment) {
+    const std::size_t m = at(cluster);
+    // sum w (r - d) = 0, so the moment does not depend on c.
+    if (total_[m] > 0)
+        centre_[m] = c + first / total_[m];
+    return turn_to(m, moment);
+}
+
+/// Turns the cluster's frame towards the rotation nearest to the moment; returns its angle.
+double ClusterBasis::turn_to(std::size_t cluster, const Mat3& moment) {
+    Eigen::Quaterniond& q = turn_[cluster];
+    for (int pass = 0; pass < 3; ++pass) {
+        const Mat3 r = q.toRotationMatrix();
+        Vec3 axis = Vec3::Zero();
+        double along = 0;
+        for (int c = 0; c < 3; ++c) {
+            axis += r.col(c).cross(moment.col(c));
+            along += r.col(c).dot(moment.col(c));
+        }
+        axis /= std::abs(along) + 1e-12 * moment.norm() + 1e-300;
+        const double angle = axis.norm();
+        if (!(angle > 1e-9) || !std::isfinite(angle))
+            break;
+        q = Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis / angle)) * q;
+        q.normalize();
+    }
+    return 2.0 * std::acos(std::min(1.0, std::abs(q.w())));
 }
 
 void ClusterBasis::restrict_forces(const Points& x, const Points& f, std::span<float> out) {

@@ -42,6 +42,11 @@ public:
     /// Macklin 2016, started from the last turn. Returns the largest angle (rad) of a turn.
     double update_frames(const Points& x);
 
+    /// The same for one cluster from sums that the caller has made: with c any point near its centre, first = sum w (x - c) and
+    /// moment = sum w (x - c) (r - d)^T, r the reference and d its centre. Returns the angle.
+    double set_frame(int cluster, const Vec3& c, const Vec3& first, const Mat3& moment);
+    Mat3 turn(int cluster) const { return turn_[static_cast<std::size_t>(cluster)].toRotationMatrix(); }
+
     /// out = Q^T P^T f, 6 values a cluster (force, torque / radius) in the turned frames.
     void restrict_forces(const Points& x, const Points& f, std::span<float> out);
     /// u = P Q q, added to nothing: V displacements.
@@ -53,6 +58,7 @@ public:
 
 private:
     void find_centres(const Points& x);
+    double turn_to(std::size_t cluster, const Mat3& moment);
 
     int clusters_ = 0, band_ = 0;
     double radius_ = 1;

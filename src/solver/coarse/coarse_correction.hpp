@@ -10,9 +10,7 @@
 // the iteration is, not where it rests. Sources: multigrid for elasticity, Brandt 1977; corotated matrices, Mueller,
 // Gross 2004; rigid modes of aggregates, Vanek, Mandel, Brezina 1996.
 
-#include "solver/coarse/banded_cholesky.hpp"
-#include "solver/coarse/cluster_basis.hpp"
-#include "solver/coarse/elastic_terms.hpp"
+#include "solver/coarse/coarse_matrix.hpp"
 
 #include <cstdint>
 
@@ -26,8 +24,8 @@ public:
     CoarseCorrection(const Points& rest, const MeshTopology& topology,
                      const std::vector<double>& inverse_mass, int clusters);
 
-    bool empty() const { return basis_.clusters() == 0; }
-    const ClusterBasis& basis() const { return basis_; }
+    bool empty() const { return matrix_.empty(); }
+    const ClusterBasis& basis() const { return matrix_.basis(); }
 
     /// One step from x, in place; points with inverse mass 0 stay. normals: V unit normals of the last substep's
     /// contacts, zero where there was none, or empty.
@@ -38,17 +36,13 @@ public:
     const Points& displacement() const { return u_; }
     std::int64_t assemblies() const { return assemblies_; }
     std::size_t bytes() const {
-        return basis_.bytes() + matrix_.bytes() + bytes_of(force_, gradient_, u_, q_, r_, qg_, g_);
+        return matrix_.bytes() + bytes_of(force_, gradient_, u_, q_, r_, qg_, g_);
     }
 
 private:
-    void assemble(const Points& x, const ElasticTerms& terms, const std::vector<double>& inverse_mass,
-                  const Points& normals);
-    void add(const Points& x, const ElasticTerm& term, double weight);
     double curvature(const Points& x, const ElasticTerms& terms) const;
 
-    ClusterBasis basis_;
-    BandedCholesky matrix_;
+    CoarseMatrix matrix_;
     Points force_, gradient_, u_;
     std::vector<float> q_, r_, qg_, g_; ///< solution and right-hand side, of forces and of the volume
     double pressure_ = 0;               ///< p, times h^2

@@ -34,6 +34,9 @@ struct ElasticTerm {
 /// Compliances below those of this stiffness count as it: a rigid constraint has no energy.
 inline constexpr double stiffest_coarse = 0.99;
 
+/// A hinge counts as thin from this multiple of its sum |grad|^2 at rest on.
+inline constexpr double thin_hinge = 4.0;
+
 /// How much softer than the energy one Gauss-Seidel sweep of the substep h acts, kappa = 1 + rho W / alpha' of the
 /// stiffest edge, W = 2. A sweep that divides by max(W + alpha', kappa alpha') has all its constraints softer by the
 /// same kappa, so it rests where the energy rests, whatever h; one that divides by W + alpha' makes soft constraints as
@@ -87,7 +90,6 @@ void for_each_edge_term(const ElasticTerms& terms, const Points& x, TermSample s
 /// from four times its W at rest on its compliance grows with W, or its force would have no bound.
 template <class F>
 void for_each_hinge_term(const ElasticTerms& terms, const Points& x, TermSample sample, F f) {
-    constexpr double thin = 4.0;
     const double per_h2 = 1.0 / (terms.substep_s * terms.substep_s);
     const double unit = compliance_from_stiffness(std::min(terms.bending, stiffest_coarse), 1.0);
     ElasticTerm term;
@@ -105,9 +107,15 @@ void for_each_hinge_term(const ElasticTerms& terms, const Points& x, TermSample 
         term.point = c.p;
         term.gradient = value->gradient;
         term.value = value->error_rad;
-        term.weight = terms.share / (std::max(c.compliance, unit * w / thin) * per_h2);
+        term.weight = terms.share / (std::max(c.compliance, unit * w / thin_hinge) * per_h2);
         f(term);
     }
+}
+
+/// From there on, alpha' of a hinge is this times sum |grad|^2.
+inline double thin_hinge_compliance(const ElasticTerms& terms) {
+    return compliance_from_stiffness(std::min(terms.bending, stiffest_coarse), 1.0) /
+           (thin_hinge * terms.substep_s * terms.substep_s);
 }
 
 } // namespace fascicle::solver

@@ -13,9 +13,6 @@ namespace {
 float* floats(std::vector<Row>& rows) {
     return reinterpret_cast<float*>(rows.data());
 }
-const float* floats(const std::vector<Row>& rows) {
-    return reinterpret_cast<const float*>(rows.data());
-}
 
 double dot(const std::vector<float>& a, const std::vector<float>& b) {
     double total = 0;
@@ -24,30 +21,25 @@ double dot(const std::vector<float>& a, const std::vector<float>& b) {
     return total;
 }
 
-std::vector<double> masses(const SoftBodyProblem& problem, const Plan& plan) {
-    std::vector<double> mass;
-    for (std::size_t i = 0; i < problem.body_of_vertex.size(); ++i)
-        mass.push_back(static_cast<double>(plan.inverse_mass[static_cast<std::size_t>(plan.record_of_vertex[i])]));
-    return mass;
-}
-
-int wanted_clusters(const SoftBodyProblem& problem) {
-    return std::min(problem.parameters.get_int("solver.coarse"), static_cast<int>(max_clusters));
+Vec3 vec(const float* p) {
+    return Vec3(static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2]));
 }
 
 } // namespace
 
-FastCoarse::FastCoarse(const SoftBodyProblem& problem, const MeshTopology& topology, const Plan& plan,
-                       const Kernels& kernels)
-    : plan_(plan), kernels_(kernels), hinges_(plan.rest, topology.dihedrals(), problem.parameters.get("solver.bending")),
-      edges_(make_edge_constraints(problem, plan.rest, topology)), mass_(masses(problem, plan)) {
-    const double h = problem.parameters.get("solver.frame_time") / passes_per_frame(problem.parameters);
-    if (wanted_clusters(problem) > 0)
-        matrix_ = CoarseMatrix(plan.rest, topology, mass_, wanted_clusters(problem));
+FastCoarse::FastCoarse(const SoftBodyProblem& problem, const MeshTopology& topology, CoarseMatrix matrix,
+                       const Plan& plan, const Kernels& kernels)
+    : plan_(plan), kernels_(kernels), matrix_(std::move(matrix)),
+      hinges_(plan.rest, topology.dihedrals(), problem.parameters.get("solver.bending")),
+      edges_(make_edge_constraints(problem, plan.rest, topology)) {
     if (empty())
         return;
-    terms_ = make_elastic_terms(edges_, hinges_.items(), problem.parameters, h);
+    const double h = problem.parameters.get("solver.frame_time") / passes_per_frame(problem.parameters);
+    terms_ = {&edges_, &hinges_.items(), problem.parameters.get("solver.bending"), h,
+              1.0 - 1.0 / static_cast<double>(plan.relax)};
     springs_ = {static_cast<float>(terms_.share), static_cast<float>(thin_hinge_compliance(terms_))};
+    for (const int record : plan.record_of_vertex)
+        mass_.push_back(static_cast<double>(plan.inverse_mass[static_cast<std::size_t>(record)]));
     for (std::vector<Row>* records : {&forces_, &gradients_, &moves_, &reference_})
         records->assign(4 * plan.groups, Row{});
     motion_.assign(2 * 4 * max_clusters / packet, Row{});
@@ -109,16 +101,15 @@ void FastCoarse::load(const VertexArrays& v, const GroupRange& range) {
     kernels_.loads(v, range.begin, range.end, static_cast<float>(pressure_), floats(forces_), floats(gradients_));
 }
 
-void FastCoarse::sum(const float* records, std::size_t cluster) {
+void FastCoarse::sum(const float* records, std::size_t cluster, bool with_frames) {
     ClusterSums& s = sums_[cluster];
     const CoarseMembers members{members_[cluster].data(), members_[cluster].size()};
-    if (assemblies_ > 0)
+    if (with_frames && assemblies_ > 0)
         kernels_.sum_shape(records, floats(reference_), members, s.centres, s.shape);
-    kernels_.sum_loads(records, floats(forces_), members, s.centre, s.force);
-    kernels_.sum_loads(records, floats(gradients_), members, s.centre, s.gradient);
+    kernels_.sum_loads(records, floats(forces_), floats(gradients_), members, s.centre, s.load);
 }
 
-void FastCoarse::assemble(const VertexArrays& v) {
+void FastCoarse::copy_state(const VertexArrays& v) {
     for (std::size_t i = 0; i < positions_.size(); ++i) {
         const auto r = static_cast<std::size_t>(plan_.record_of_vertex[i]);
         const VertexGroup& group = v.groups[r / packet];
@@ -129,36 +120,41 @@ void FastCoarse::assemble(const VertexArrays& v) {
         }
     }
     std::copy(v.records, v.records + 4 * plan_.records(), floats(reference_));
-    matrix_.assemble(positions_, terms_, mass_, normals_);
-    for (std::size_t m = 0; m < sums_.size(); ++m)
-        for (std::size_t k = 0; k < 3; ++k)
-            sums_[m].centres[k] = sums_[m].centres[3 + k] =
-                static_cast<float>(matrix_.basis().centre(static_cast<int>(m))[static_cast<Eigen::Index>(k)]);
-    age_ = 0;
-    stale_ = false;
-    ++assemblies_;
 }
 
-void FastCoarse::solve(const VertexArrays& v, double volume_error) {
-    ClusterBasis& basis = matrix_.basis();
-    const auto vec = [](const float* p) {
-        return Vec3(static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2]));
-    };
-    // Torques were formed about the centres of the step before: moved to the new ones below.
+void FastCoarse::prepare(const VertexArrays& v, bool with_frames) {
     double turned = 0;
-    if (assemblies_ > 0)
+    if (with_frames && assemblies_ > 0)
         for (std::size_t m = 0; m < sums_.size(); ++m) {
             const ClusterSums& s = sums_[m];
             Mat3 moment;
             for (Eigen::Index i = 0; i < 3; ++i)
                 for (Eigen::Index j = 0; j < 3; ++j)
                     moment(i, j) = static_cast<double>(s.shape[3 + 3 * i + j]);
-            turned = std::max(turned, basis.set_frame(static_cast<int>(m), vec(s.centres), vec(s.shape), moment));
+            turned = std::max(turned, matrix_.basis().set_frame(static_cast<int>(m), vec(s.centres), vec(s.shape), moment));
         }
-    if (assemblies_ == 0 || stale_ || turned > far_turn_rad)
-        assemble(v);
+    renew_ = assemblies_ == 0 || stale_ || turned > far_turn_rad;
+    if (!renew_)
+        return;
+    copy_state(v);
+    matrix_.begin(positions_);
+    for (std::size_t m = 0; m < sums_.size(); ++m)
+        for (std::size_t k = 0; k < 3; ++k)
+            sums_[m].centres[3 + k] =
+                static_cast<float>(matrix_.basis().centre(static_cast<int>(m))[static_cast<Eigen::Index>(k)]);
+}
+
+void FastCoarse::solve(double volume_error) {
+    const ClusterBasis& basis = matrix_.basis();
+    if (renew_) {
+        matrix_.finish();
+        age_ = 0;
+        stale_ = false;
+        ++assemblies_;
+    }
     ++age_;
     ++steps_;
+    // Moments were formed about the centres of the step before: they are moved to the present ones here.
     const double per_radius = 1.0 / basis.radius();
     for (std::size_t m = 0; m < sums_.size(); ++m) {
         ClusterSums& s = sums_[m];
@@ -172,8 +168,8 @@ void FastCoarse::solve(const VertexArrays& v, double volume_error) {
                 out[6 * m + 3 + static_cast<std::size_t>(k)] = static_cast<float>(t[k]);
             }
         };
-        into(s.force, r_);
-        into(s.gradient, g_);
+        into(s.load, r_);
+        into(s.load + 6, g_);
     }
     q_ = r_;
     qg_ = g_;
@@ -219,7 +215,7 @@ double FastCoarse::length() const {
     bend *= static_cast<double>(curvature_stride);
     for (const double s : squares_)
         bend += s;
-    const double length = bend > 0.0 ? std::clamp(slope_ / bend, 0.0, matrix_safety) : 0.0;
+    const double length = bend > 0.0 ? std::clamp(slope_ / bend, 0.0, longest_step) : 0.0;
     return std::isfinite(length) && std::isfinite(more_) ? length : 0.0;
 }
 

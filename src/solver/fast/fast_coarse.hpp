@@ -13,8 +13,11 @@ struct alignas(64) Row {
 
 class FastCoarse {
 public:
-    /// No clusters: empty() and nothing else may be called.
-    FastCoarse(const SoftBodyProblem& problem, const MeshTopology& topology, const Plan& plan, const Kernels& kernels);
+    /// matrix without clusters: empty(), and nothing else may be called. plan and kernels must outlive this.
+    FastCoarse(const SoftBodyProblem& problem, const MeshTopology& topology, CoarseMatrix matrix, const Plan& plan,
+               const Kernels& kernels);
+    FastCoarse(const FastCoarse&) = delete;
+    FastCoarse& operator=(const FastCoarse&) = delete;
 
     bool empty() const { return matrix_.empty(); }
     std::size_t clusters() const { return members_.size(); }
@@ -25,10 +28,15 @@ public:
     void push(const float* records, const ConstraintSet& set);
     /// For every chunk, after the volume's gradients: what the step has to balance.
     void load(const VertexArrays& v, const GroupRange& range);
-    /// For every cluster: forces, and where it is.
-    void sum(const float* records, std::size_t cluster);
+    /// For every cluster: forces, and, when with_frames, where it is and how it is turned.
+    void sum(const float* records, std::size_t cluster, bool with_frames);
+    /// By one thread: takes the frames, and decides whether the matrix has to be made anew. with_frames as in sum().
+    void prepare(const VertexArrays& v, bool with_frames);
+    /// Whether it has; then for every part of the matrix:
+    bool renew() const { return renew_; }
+    void add_part(std::size_t part) { matrix_.add_part(part, positions_, terms_, mass_, normals_); }
     /// By one thread: the motion of the clusters. volume_error: V minus the wanted one.
-    void solve(const VertexArrays& v, double volume_error);
+    void solve(double volume_error);
     /// For every chunk, numbered: displacements.
     void spread(const VertexArrays& v, const GroupRange& range, std::size_t chunk);
     /// For every set, numbered with the interfaces behind the interiors: how stiff the body is along the displacement.
@@ -45,7 +53,7 @@ public:
 
 private:
     void make_members(const Plan& plan);
-    void assemble(const VertexArrays& v);
+    void copy_state(const VertexArrays& v);
 
     const Plan& plan_;
     const Kernels& kernels_;
@@ -59,16 +67,17 @@ private:
     std::vector<CoarseShare> shares_;
     std::vector<Row> motion_; ///< two records a cluster: displacement of the origin, turn
     struct alignas(64) ClusterSums {
-        float force[6], gradient[6], shape[12];
+        float load[12]; ///< force, moment; of the volume gradient
+        float shape[12];
         float centre[3], centres[6];
     };
     std::vector<ClusterSums> sums_;
     std::vector<float> q_, r_, qg_, g_;
     std::vector<double> squares_, stiffness_; ///< by chunk, by set
     std::vector<double> mass_;                ///< V, inverse
-    Points positions_, normals_;              ///< scratch of assemble()
+    Points positions_, normals_;              ///< what the matrix is made of
     double pressure_ = 0, more_ = 0, slope_ = 0;
-    bool stale_ = true;
+    bool stale_ = true, renew_ = false;
     int age_ = 0;
     std::int64_t steps_ = 0, assemblies_ = 0;
 };

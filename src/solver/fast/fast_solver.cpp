@@ -5,7 +5,10 @@
 #include "fascicle/geometry/distance_grid.hpp"
 #include "fascicle/geometry/volume.hpp"
 #include "solver/constraints/volume.hpp"
+#include "solver/coarse/elastic_terms.hpp"
+#include "solver/edge_constraints.hpp"
 #include "solver/fast/chunk_split.hpp"
+#include "solver/fast/fast_coarse.hpp"
 #include "solver/fast/grid_slope.hpp"
 #include "solver/fast/plan.hpp"
 #include "solver/fast/thread_choice.hpp"
@@ -23,18 +26,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-struct alignas(64) Row {
-    float v[packet];
-};
-
 /// Stages as the report names them, timed by the first thread.
-enum Stage : std::size_t { predict_stage, constraint_stage, volume_stage, contact_stage, stage_count };
-constexpr std::array<const char*, stage_count> stage_names{"predict", "edges and dihedrals", "volume",
+enum Stage : std::size_t { predict_stage, coarse_stage, constraint_stage, volume_stage, contact_stage, stage_count };
+constexpr std::array<const char*, stage_count> stage_names{"predict", "coarse", "edges and dihedrals", "volume",
                                                            "contact and prediction"};
 
 class FastSolver final : public SoftBodySolver {
 public:
-    FastSolver(const SoftBodyProblem& problem, Plan plan, const Kernels& kernels);
+    FastSolver(const SoftBodyProblem& problem, const MeshTopology& topology, Plan plan, CoarseMatrix coarse,
+               const Kernels& kernels);
     void advance(std::span<const Pose> from, std::span<const Pose> to) override;
     const Points& positions() const override { return positions_; }
     const StepReport& report() const override { return report_; }
@@ -49,6 +49,9 @@ private:
     void set_solids(std::span<const Pose> from, std::span<const Pose> to);
     void run_frame(int thread, int threads, std::span<const Pose> to);
     void sweep(const ConstraintSet& set);
+    template <typename Chunks, typename Meet>
+    void correct(int thread, int threads, bool with_frames, const Chunks& for_chunks, const Meet& meet);
+    VolumeSums total_volume() const;
     void sum_volume(std::size_t chunk);
     StepSettings settings_after_volume() const;
     void place(std::size_t chunk, const SolidStep* solids);
@@ -59,6 +62,7 @@ private:
     SoftBodyProblem problem_;
     Plan plan_;
     const Kernels& kernels_;
+    FastCoarse coarse_;
     int substeps_;
     double wanted_volume_ = 0, largest_volume_step_ = 0;
     StepSettings settings_{};
@@ -90,8 +94,9 @@ void set_affine(float (&out)[12], const Mat3& m, const Vec3& t) {
     }
 }
 
-FastSolver::FastSolver(const SoftBodyProblem& problem, Plan plan, const Kernels& kernels)
-    : problem_(problem), plan_(std::move(plan)), kernels_(kernels),
+FastSolver::FastSolver(const SoftBodyProblem& problem, const MeshTopology& topology, Plan plan, CoarseMatrix coarse,
+                       const Kernels& kernels)
+    : problem_(problem), plan_(std::move(plan)), kernels_(kernels), coarse_(problem, topology, std::move(coarse), plan_, kernels),
       substeps_(passes_per_frame(problem.parameters)),
       team_(std::clamp(problem.threads, 1, static_cast<int>(plan_.interiors.size()))),
       split_(plan_.chunks.size(), team_.size()), positions_(problem.surface->positions) {
@@ -268,13 +273,18 @@ void FastSolver::sum_volume(std::size_t chunk) {
     kernels_.volume(arrays(), range.begin, range.end, volume_sums_[chunk]);
 }
 
-StepSettings FastSolver::settings_after_volume() const {
+VolumeSums FastSolver::total_volume() const {
     VolumeSums total;
     for (const VolumeSums& part : volume_sums_) {
         total.volume += part.volume;
         total.weight_grow += part.weight_grow;
         total.weight_shrink += part.weight_shrink;
     }
+    return total;
+}
+
+StepSettings FastSolver::settings_after_volume() const {
+    const VolumeSums total = total_volume();
     const double error =
         std::clamp(total.volume - wanted_volume_, -largest_volume_step_, largest_volume_step_);
     const double weight = error < 0.0 ? total.weight_grow : total.weight_shrink;
@@ -282,6 +292,49 @@ StepSettings FastSolver::settings_after_volume() const {
     settings.volume_error = static_cast<float>(error);
     settings.volume_gain = weight > 0.0 ? static_cast<float>(-error / weight) : 0.0f;
     return settings;
+}
+
+/// The coarse step, from the predicted positions; each part waits for all of the one before.
+template <typename Chunks, typename Meet>
+void FastSolver::correct(int thread, int threads, bool with_frames, const Chunks& for_chunks, const Meet& meet) {
+    const auto share = [&](std::size_t count, int t) {
+        return count * static_cast<std::size_t>(t) / static_cast<std::size_t>(threads);
+    };
+    const auto each = [&](std::size_t count, const auto& body) {
+        for (std::size_t i = share(count, thread); i < share(count, thread + 1); ++i)
+            body(i);
+    };
+    const auto* records = reinterpret_cast<const float*>(records_.data());
+    const std::size_t interiors = plan_.interiors.size(), interfaces = plan_.interfaces.size();
+    each(interiors, [&](std::size_t s) { coarse_.push(records, plan_.interiors[s]); });
+    for_chunks([&](std::size_t c, const GroupRange&) { sum_volume(c); });
+    meet();
+    each(interfaces, [&](std::size_t s) { coarse_.push(records, plan_.interfaces[s]); });
+    meet();
+    for_chunks([&](std::size_t, const GroupRange& range) { coarse_.load(arrays(), range); });
+    meet();
+    each(coarse_.clusters(), [&](std::size_t m) { coarse_.sum(records, m, with_frames); });
+    meet();
+    if (thread == 0)
+        coarse_.prepare(arrays(), with_frames);
+    meet();
+    if (coarse_.renew()) {
+        each(CoarseMatrix::parts, [&](std::size_t p) { coarse_.add_part(p); });
+        meet();
+    }
+    if (thread == 0)
+        coarse_.solve(total_volume().volume - wanted_volume_);
+    meet();
+    for_chunks([&](std::size_t c, const GroupRange& range) { coarse_.spread(arrays(), range, c); });
+    meet();
+    each(interiors, [&](std::size_t s) { coarse_.bend(records, plan_.interiors[s], s); });
+    each(interfaces, [&](std::size_t s) { coarse_.bend(records, plan_.interfaces[s], interiors + s); });
+    meet();
+    const double length = coarse_.length();
+    for_chunks([&](std::size_t, const GroupRange& range) { coarse_.apply(arrays(), range, length); });
+    meet();
+    if (thread == 0)
+        coarse_.conclude(length);
 }
 
 void FastSolver::run_frame(int thread, int threads, std::span<const Pose> to) {
@@ -317,12 +370,18 @@ void FastSolver::run_frame(int thread, int threads, std::span<const Pose> to) {
     const auto predict = [&](std::size_t c, const GroupRange& range, int k) {
         kernels_.predict(arrays(), range.begin, range.end, solids_of(k), settings_);
         place(c, solids_of(k));
+        if (!coarse_.empty())
+            coarse_.clear(range);
     };
 
     for_chunks([&](std::size_t c, const GroupRange& range) { predict(c, range, 0); });
     meet();
     stage(predict_stage);
     for (int k = 0; k < substeps_; ++k) {
+        if (!coarse_.empty()) {
+            correct(thread, threads, k == 0, for_chunks, meet);
+            stage(coarse_stage);
+        }
         for (std::size_t s = first_set; s < end_set; ++s)
             sweep(plan_.interiors[s]);
         meet();
@@ -355,7 +414,7 @@ std::size_t FastSolver::state_bytes() const {
            bytes(positions_) + bytes(plan_.edges) + bytes(plan_.hinges) + bytes(plan_.rings) +
            bytes(plan_.rest) + bytes(plan_.record_of_vertex) + bytes(vertex_of_record_) +
            bytes(plan_.inverse_mass) + 3 * bytes(plan_.ring_base) + bytes(problem_.body_of_vertex) +
-           bytes(problem_.edge_softness) + bytes(problem_.carry_weights);
+           bytes(problem_.edge_softness) + bytes(problem_.carry_weights) + coarse_.bytes();
 }
 
 /// Positions in the caller's order and frame.
@@ -390,12 +449,23 @@ void FastSolver::sum_reports() {
 std::unique_ptr<SoftBodySolver> make_fast_solver(const SoftBodyProblem& problem,
                                                  const fast::Kernels* kernels) {
     const MeshTopology topology(problem.surface->vertex_count(), problem.surface->triangles);
-    auto plan = fast::make_plan(problem, topology);
+    std::vector<double> mass;
+    for (std::size_t i = 0; i < problem.body_of_vertex.size(); ++i)
+        mass.push_back(problem.body_of_vertex[i] >= 0 || topology.vertex_component(static_cast<int>(i)) < 0 ? 0.0 : 1.0);
+    CoarseMatrix coarse;
+    double kappa = 1.0;
+    const int clusters = std::min(problem.parameters.get_int("solver.coarse"), static_cast<int>(fast::max_clusters));
+    if (clusters > 0)
+        coarse = CoarseMatrix(problem.surface->positions, topology, mass, clusters);
+    if (!coarse.empty())
+        kappa = balance_of(make_edge_constraints(problem, problem.surface->positions, topology),
+                           problem.parameters.get("solver.frame_time") / passes_per_frame(problem.parameters));
+    auto plan = fast::make_plan(problem, topology, kappa);
     if (!plan)
         return nullptr;
     if (kernels == nullptr)
         fast::available_kernels(&kernels, 1);
-    return std::make_unique<fast::FastSolver>(problem, std::move(*plan), *kernels);
+    return std::make_unique<fast::FastSolver>(problem, topology, std::move(*plan), std::move(coarse), *kernels);
 }
 
 } // namespace fascicle::solver

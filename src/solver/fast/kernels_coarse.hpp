@@ -220,33 +220,39 @@ void gather_loads(const VertexArrays& v, std::size_t begin, std::size_t end, flo
     }
 }
 
-/// out[0 .. 2]: sum of w t, out[3 .. 5]: sum of w (x - c) x t over a cluster's members.
+/// For loads t and s: out[0 .. 2] = sum of w t, out[3 .. 5] = sum of w (x - c) x t, out[6 .. 11] the same of s, over a cluster's members.
 template <class L>
-void sum_loads(const float* records, const float* loads, const CoarseMembers& m, const float centre[3], float out[6]) {
+void sum_loads(const float* records, const float* first, const float* second, const CoarseMembers& m,
+               const float centre[3], float out[12]) {
     using V = typename L::V;
-    const V zero = L::splat(0.0f);
-    Vec<L> force{zero, zero, zero}, moment{zero, zero, zero};
+    V total[12];
+    for (V& t : total)
+        t = L::splat(0.0f);
     const Vec<L> c{L::splat(centre[0]), L::splat(centre[1]), L::splat(centre[2])};
     for (std::size_t p = 0; p < m.count; ++p)
         for (std::size_t q = 0; q < packet; q += L::width) {
             const MemberPacket& e = m.packets[p];
             V x[4], t[4];
             L::load_records(records + std::size_t{4} * e.base, e.index + q, x);
-            L::load_records(loads + std::size_t{4} * e.base, e.index + q, t);
             L::transpose(x);
-            L::transpose(t);
+            const Vec<L> arm = Vec<L>{x[0], x[1], x[2]} - c;
             const V w = L::load(e.weight + q);
-            const Vec<L> f{w * t[0], w * t[1], w * t[2]};
-            const Vec<L> turn = cross<L>(Vec<L>{x[0], x[1], x[2]} - c, f);
-            force = {force.x + f.x, force.y + f.y, force.z + f.z};
-            moment = {moment.x + turn.x, moment.y + turn.y, moment.z + turn.z};
+            for (int k = 0; k < 2; ++k) {
+                L::load_records((k == 0 ? first : second) + std::size_t{4} * e.base, e.index + q, t);
+                L::transpose(t);
+                const Vec<L> f{w * t[0], w * t[1], w * t[2]};
+                const Vec<L> turn = cross<L>(arm, f);
+                V* sums = total + 6 * k;
+                sums[0] = sums[0] + f.x;
+                sums[1] = sums[1] + f.y;
+                sums[2] = sums[2] + f.z;
+                sums[3] = sums[3] + turn.x;
+                sums[4] = sums[4] + turn.y;
+                sums[5] = sums[5] + turn.z;
+            }
         }
-    out[0] = static_cast<float>(sum<L>(force.x));
-    out[1] = static_cast<float>(sum<L>(force.y));
-    out[2] = static_cast<float>(sum<L>(force.z));
-    out[3] = static_cast<float>(sum<L>(moment.x));
-    out[4] = static_cast<float>(sum<L>(moment.y));
-    out[5] = static_cast<float>(sum<L>(moment.z));
+    for (int i = 0; i < 12; ++i)
+        out[i] = static_cast<float>(sum<L>(total[i]));
 }
 
 /// out[0 .. 2]: sum of w (x - c); out[3 .. 11]: sum of w (x - c) (r - d)^T, row-major, over a cluster's members, with c and d the

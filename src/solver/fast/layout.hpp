@@ -149,8 +149,8 @@ struct Kernels {
                               std::size_t stride, const HingeSprings& springs);
     void (*loads)(const VertexArrays& v, std::size_t begin, std::size_t end, float pressure, float* forces,
                   float* gradients);
-    void (*sum_loads)(const float* records, const float* loads, const CoarseMembers& members, const float centre[3],
-                      float out[6]);
+    void (*sum_loads)(const float* records, const float* first, const float* second, const CoarseMembers& members,
+                      const float centre[3], float out[12]);
     void (*sum_shape)(const float* records, const float* reference, const CoarseMembers& members,
                       const float centres[6], float out[12]);
     double (*spread)(const VertexArrays& v, const CoarseShare* shares, std::size_t begin, std::size_t end,

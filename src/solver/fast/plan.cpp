@@ -1,5 +1,6 @@
 #include "solver/fast/plan.hpp"
 
+#include "solver/coarse/elastic_terms.hpp"
 #include "solver/constraints/dihedral.hpp"
 #include "solver/constraints/distance.hpp"
 #include "solver/edge_constraints.hpp"
@@ -53,8 +54,8 @@ std::vector<SetItems> deal(std::size_t count, const BlockLayout& layout, std::si
 class PlanMaker {
 public:
     PlanMaker(const SoftBodyProblem& problem, const MeshTopology& topology, const std::vector<bool>& held,
-              Plan& plan, const BlockLayout& layout)
-        : problem_(problem), topology_(topology), held_(held), plan_(plan), layout_(layout) {}
+              double kappa, Plan& plan, const BlockLayout& layout)
+        : problem_(problem), topology_(topology), held_(held), kappa_(kappa), plan_(plan), layout_(layout) {}
 
     bool make() {
         place_vertices();
@@ -82,8 +83,9 @@ private:
     bool pack_constraints() {
         const double h = problem_.parameters.get("solver.frame_time") / passes_per_frame(problem_.parameters);
         const double per_h2 = 1.0 / (h * h);
+        const std::vector<DistanceConstraint> all_edges = make_edge_constraints(problem_, plan_.rest, topology_);
         std::vector<DistanceConstraint> edges;
-        for (const DistanceConstraint& e : make_edge_constraints(problem_, plan_.rest, topology_))
+        for (const DistanceConstraint& e : all_edges)
             if (mass(e.a) + mass(e.b) > 0.0f)
                 edges.push_back(e);
         const DihedralConstraints all_hinges(plan_.rest, topology_.dihedrals(),
@@ -147,8 +149,11 @@ private:
             const DistanceConstraint& e =
                 all[static_cast<std::size_t>(numbers[static_cast<std::size_t>(row[i])])];
             p.rest[i] = static_cast<float>(e.rest);
-            p.gain[i] = static_cast<float>(1.0 / (static_cast<double>(mass(e.a)) +
-                                                  static_cast<double>(mass(e.b)) + e.compliance * per_h2));
+            const double weight = static_cast<double>(mass(e.a)) + static_cast<double>(mass(e.b));
+            const double softness = e.compliance * per_h2;
+            p.gain[i] = static_cast<float>(1.0 / std::max(weight + softness, kappa_ * softness));
+            p.stiffness[i] = static_cast<float>(
+                (1.0 - 1.0 / kappa_) / (std::max(e.compliance, compliance_from_stiffness(stiffest_coarse, 2.0)) * per_h2));
             p.p[0][i] = index(e.a, set);
             p.p[1][i] = index(e.b, set);
         }
@@ -186,19 +191,21 @@ private:
     const SoftBodyProblem& problem_;
     const MeshTopology& topology_;
     const std::vector<bool>& held_;
+    const double kappa_;
     Plan& plan_;
     const BlockLayout& layout_;
 };
 
 } // namespace
 
-std::optional<Plan> make_plan(const SoftBodyProblem& problem, const MeshTopology& topology) {
+std::optional<Plan> make_plan(const SoftBodyProblem& problem, const MeshTopology& topology, double kappa) {
     std::vector<bool> held;
     for (std::size_t i = 0; i < problem.body_of_vertex.size(); ++i)
         held.push_back(problem.body_of_vertex[i] >= 0 || topology.vertex_component(static_cast<int>(i)) < 0);
     Plan plan;
+    plan.relax = static_cast<float>(kappa);
     const auto layout = lay_out_blocks(topology, held, plan);
-    if (!layout || !PlanMaker(problem, topology, held, plan, *layout).make())
+    if (!layout || !PlanMaker(problem, topology, held, kappa, plan, *layout).make())
         return std::nullopt;
     return plan;
 }

@@ -5,20 +5,22 @@
 namespace fascicle::solver::fast {
 
 void ThreadChoice::record(double seconds) {
-    ++frames_;
-    if (frames_ == 1) // caches and sleeping threads: not typical
+    if (++frames_ > 1) // the first one has cold caches and sleeping threads
+        fastest_ = fastest_ == 0.0 ? seconds : std::min(fastest_, seconds);
+    if (frames_ < window)
         return;
-    mean_ = frames_ == 2 ? seconds : mean_ + 0.2 * (seconds - mean_);
     if (!alone_)
-        best_team_ = best_team_ == 0.0 ? seconds : std::min(seconds, best_team_ * 1.002);
-    if (frames_ < trial_frames)
-        return;
-    const bool worse = other_ > 0.0 && mean_ > other_;
-    const bool look = alone_ ? frames_ >= stay_frames : mean_ > slow * best_team_;
-    if (frames_ == trial_frames ? worse : look) {
-        other_ = mean_;
-        switch_to(!alone_);
+        best_team_ = best_team_ == 0.0 ? fastest_ : std::min(fastest_, best_team_ * 1.01);
+    ++windows_;
+    const bool worse = windows_ == 1 && other_ > 0.0 && fastest_ > other_;
+    const bool look = alone_ ? windows_ >= stay_windows : fastest_ > slow * best_team_;
+    if (worse || look) {
+        other_ = fastest_;
+        alone_ = !alone_;
+        windows_ = 0;
     }
+    frames_ = 0;
+    fastest_ = 0.0;
 }
 
 } // namespace fascicle::solver::fast

@@ -11,23 +11,18 @@ public:
     /// What the last frame took, s.
     void record(double seconds);
 
-    static constexpr int trial_frames =
-        4; ///< length of a look at the other way; its first frame does not count
-    static constexpr int stay_frames = 60; ///< how long one thread goes on before the team is tried again
-    static constexpr double slow = 1.7;    ///< times the team's best: worth a look
+    /// Frames that are judged together, by the fastest of them: a single slow frame (a new matrix, say) means nothing.
+    static constexpr int window = 6;
+    static constexpr int stay_windows = 10; ///< how long one thread goes on before the team is tried again
+    static constexpr double slow = 1.7;     ///< times the team's best: worth a look at the other way
 
 private:
-    void switch_to(bool alone) {
-        alone_ = alone;
-        frames_ = 0;
-        mean_ = 0;
-    }
-
     bool alone_ = false;
-    int frames_ = 0;       ///< since the last switch
-    double mean_ = 0;      ///< of recent frames since the switch, s
+    int frames_ = 0;       ///< in this window
+    int windows_ = 0;      ///< since the last switch
+    double fastest_ = 0;   ///< of this window, s; 0: none yet
     double best_team_ = 0; ///< fastest frame of the team so far, slowly forgotten; 0: none yet
-    double other_ = 0;     ///< mean of the way that was left at the last switch, 0 at the start
+    double other_ = 0;     ///< fastest of the last window of the way that was left, 0 at the start
 };
 
 } // namespace fascicle::solver::fast

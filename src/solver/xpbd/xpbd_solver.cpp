@@ -201,9 +201,7 @@ void XpbdSolver::update_velocities(double h) {
 } // namespace
 
 std::unique_ptr<SoftBodySolver> make_xpbd_solver(const SoftBodyProblem& problem) {
-    // The packets know no coarse correction yet.
-    if (problem.parameters.get_choice("solver.kernel") == "fast" &&
-        problem.parameters.get_int("solver.coarse") == 0)
+    if (problem.parameters.get_choice("solver.kernel") == "fast")
         if (auto fast = make_fast_solver(problem))
             return fast;
     return std::make_unique<XpbdSolver>(problem);

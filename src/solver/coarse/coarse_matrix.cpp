@@ -1,0 +1,148 @@
+#include "solver/coarse/coarse_matrix.hpp"
+
+#include "solver/coarse/coarse_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fascicle::solver {
+
+namespace {
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+Mat3 cross_matrix(const Vec3& v) {
+    Mat3 m;
+    m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+    return m;
+}
+
+/// Sums over the vertices that two clusters share, with x from the centre of the lower one: w w, w w x, w w x x^T.
+struct PairMoments {
+    double zeroth = 0;
+    Vec3 first = Vec3::Zero();
+    Mat3 second = Mat3::Zero();
+};
+
+} // namespace
+
+void CoarseMatrix::begin(const Points& x) {
+    basis_.set_reference(x);
+    for (BandedCholesky& sum : sums_)
+        sum.reset(basis_.unknowns(), std::min(basis_.band(), basis_.unknowns() - 1));
+}
+
+/// Adds weight P^T grad C grad C^T P. The row of P^T grad C: the clusters of the term's points with six entries each; in
+/// the frames of the moment when the matrix is made nothing is turned.
+void CoarseMatrix::add(BandedCholesky& sum, const Points& x, const ElasticTerm& term, double weight) const {
+    std::array<int, 16> cluster;
+    std::array<BandedCholesky::Six, 16> row;
+    int count = 0;
+    const double scale = std::sqrt(weight), per_radius = 1.0 / basis_.radius();
+    for (std::size_t j = 0; j < at(term.count); ++j) {
+        const ClusterWeights& own = basis_.weights()[at(term.point[j])];
+        const Vec3 g = scale * term.gradient[j];
+        for (std::size_t k = 0; k < 4; ++k) {
+            if (own.weight[k] == 0.0)
+                continue;
+            const int m = own.cluster[k];
+            int place = 0;
+            while (place < count && cluster[at(place)] != m)
+                ++place;
+            if (place == count) {
+                cluster[at(count)] = m;
+                row[at(count)].fill(0.0F);
+                ++count;
+            }
+            const Vec3 force = own.weight[k] * g;
+            const Vec3 torque = per_radius * (x[at(term.point[j])] - basis_.centre(m)).cross(force);
+            for (std::size_t c = 0; c < 3; ++c) {
+                row[at(place)][c] += static_cast<float>(force[static_cast<Eigen::Index>(c)]);
+                row[at(place)][c + 3] += static_cast<float>(torque[static_cast<Eigen::Index>(c)]);
+            }
+        }
+    }
+    sum.add_outer(cluster.data(), row.data(), count);
+}
+
+/// P^T P from the moments of each pair of clusters: with J = (1, -[r]x / R), r from the cluster's centre,
+/// J_a^T J_b = (1, -[r_b]x / R; [r_a]x / R, ((r_a . r_b) 1 - r_b r_a^T) / R^2).
+void CoarseMatrix::add_inertia(BandedCholesky& sum, const Points& x, std::size_t first, std::size_t end) const {
+    const std::size_t width = at(sum.band()) / 6 + 1;
+    std::vector<PairMoments> pairs(at(basis_.clusters()) * width);
+    for (std::size_t i = first; i < end; ++i) {
+        const ClusterWeights& own = basis_.weights()[i];
+        for (std::size_t k = 0; k < 4; ++k)
+            for (std::size_t l = 0; l < 4; ++l) {
+                const double w = own.weight[k] * own.weight[l];
+                if (w == 0.0 || own.cluster[k] < own.cluster[l])
+                    continue;
+                const Vec3 p = x[i] - basis_.centre(own.cluster[l]);
+                PairMoments& pair = pairs[at(own.cluster[l]) * width + at(own.cluster[k] - own.cluster[l])];
+                pair.zeroth += w;
+                pair.first += w * p;
+                pair.second += w * p * p.transpose();
+            }
+    }
+    const double per_radius = 1.0 / basis_.radius();
+    for (int b = 0; b < basis_.clusters(); ++b)
+        for (int a = b; a < std::min(basis_.clusters(), b + static_cast<int>(width)); ++a) {
+            const PairMoments& pair = pairs[at(b) * width + at(a - b)];
+            if (pair.zeroth == 0.0)
+                continue;
+            const Vec3 d = basis_.centre(b) - basis_.centre(a);
+            Eigen::Matrix<double, 6, 6> block;
+            block.topLeftCorner<3, 3>() = pair.zeroth * Mat3::Identity();
+            block.topRightCorner<3, 3>() = -per_radius * cross_matrix(pair.first);
+            block.bottomLeftCorner<3, 3>() = per_radius * cross_matrix(pair.first + pair.zeroth * d);
+            block.bottomRightCorner<3, 3>() =
+                per_radius * per_radius *
+                ((pair.second.trace() + d.dot(pair.first)) * Mat3::Identity() - pair.second - pair.first * d.transpose());
+            for (int j = 0; j < 6; ++j)
+                for (int i = a == b ? j : 0; i < 6; ++i)
+                    sum.at(6 * a + i, 6 * b + j) += static_cast<float>(block(i, j));
+        }
+}
+
+void CoarseMatrix::add_part(std::size_t part, const Points& x, const ElasticTerms& terms,
+                            const std::vector<double>& inverse_mass, const Points& normals) {
+    BandedCholesky& sum = sums_[part];
+    const TermSample sample{static_cast<std::uint32_t>(part), static_cast<std::uint32_t>(parts)};
+    const auto add_term = [&](const ElasticTerm& term) { add(sum, x, term, matrix_safety * term.weight); };
+    for_each_edge_term(terms, x, sample, add_term);
+    for_each_hinge_term(terms, x, sample, add_term);
+    const std::size_t first = x.size() * part / parts, end = x.size() * (part + 1) / parts;
+    add_inertia(sum, x, first, end);
+    // Contacts are as stiff as an edge.
+    const double contact =
+        2.0 * terms.share * terms.substep_s * terms.substep_s / compliance_from_stiffness(0.9, 2.0);
+    ElasticTerm one;
+    one.count = 1;
+    for (std::size_t i = first; i < end && !normals.empty(); ++i)
+        if (inverse_mass[i] != 0.0 && !normals[i].isZero(0.0)) {
+            one.point[0] = static_cast<int>(i);
+            one.gradient[0] = normals[i];
+            add(sum, x, one, contact);
+        }
+}
+
+void CoarseMatrix::finish() {
+    BandedCholesky& matrix = sums_[0];
+    for (std::size_t p = 1; p < parts; ++p)
+        matrix.add(sums_[p]);
+    for (int i = 0; i < basis_.unknowns(); ++i)
+        matrix.at(i, i) += 1e-6F * matrix.at(i, i) + 1e-6F;
+    matrix.factor();
+}
+
+void CoarseMatrix::assemble(const Points& x, const ElasticTerms& terms, const std::vector<double>& inverse_mass,
+                            const Points& normals) {
+    begin(x);
+    for (std::size_t p = 0; p < parts; ++p)
+        add_part(p, x, terms, inverse_mass, normals);
+    finish();
+}
+
+} // namespace fascicle::solver

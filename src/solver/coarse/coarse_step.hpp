@@ -1,0 +1,21 @@
+#pragma once
+// The numbers that the coarse correction goes by, the same in the plain and in the fast kernel. Measured: docs/convergence.md.
+
+#include <cstdint>
+
+namespace fascicle::solver {
+
+/// One in so many edges and hinges measures the curvature along a step, other ones each time.
+inline constexpr std::uint32_t curvature_stride = 4;
+/// By how much the matrix exceeds the curvature at the shape it is made for, so that it still does when it is older.
+inline constexpr double matrix_safety = 2.0;
+/// Longest step, of the one that the matrix asks for. Not more than 1, though the matrix is large: where inertia rules,
+/// it would be too far.
+inline constexpr double longest_step = 1.0;
+/// A step that had to be shortened to this, or clusters that have turned by this, ask for a new matrix.
+inline constexpr double short_step = 0.3;
+inline constexpr double far_turn_rad = 0.3;
+/// Substeps that a matrix is kept at least.
+inline constexpr int least_matrix_age = 3;
+
+} // namespace fascicle::solver
