@@ -52,9 +52,10 @@ std::vector<ParamRow> make_rows() {
          K::integer,
          0,
          1000,
-         0,
+         60,
          {},
-         "Of xpbd: clusters of vertices that a step before each sweep moves as wholes; 0 leaves it out.",
+         "Of xpbd: clusters of vertices that a step before each sweep moves as wholes, for long waves; 0 "
+         "leaves it out.",
          "docs/convergence.md",
          true},
         {"solver.frame_time",

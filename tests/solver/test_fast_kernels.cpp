@@ -1,6 +1,7 @@
 #include "fascicle/geometry/dihedral_angle.hpp"
 #include "fascicle/geometry/distance_grid.hpp"
 #include "fascicle/geometry/volume.hpp"
+#include "solver/coarse/elastic_terms.hpp"
 #include "solver/constraints/dihedral.hpp"
 #include "solver/constraints/distance.hpp"
 #include "solver/fast/grid_slope.hpp"
@@ -89,6 +90,7 @@ TEST_CASE("fast kernels: a packet of edges moves as the plain constraints do", "
 TEST_CASE("fast kernels: a packet of dihedrals moves as the plain constraints do", "[solver][fast]") {
     for (const Kernels* kernels : all_kernels())
         for (unsigned seed = 0; seed < 40; ++seed) {
+            const double kappa = seed % 3 == 0 ? 5.0 : 1.0;
             INFO(kernels->name << ", seed " << seed);
             Points rest = random_points(64, 2 * seed), x = random_points(64, 2 * seed + 1);
             const double bend = seed % 4 == 0 ? 1.0 : 0.1; // far from rest, and near to it
@@ -115,8 +117,8 @@ TEST_CASE("fast kernels: a packet of dihedrals moves as the plain constraints do
                 hinges.sine[i] = float(std::sin(c.rest_rad));
                 hinges.compliance[i] = float(c.compliance / (h * h));
             }
-            kernels->hinges(records.v, &hinges, 1);
-            plain.project(x, mass, h);
+            kernels->hinges(records.v, &hinges, 1, float(kappa));
+            plain.project(x, mass, h, kappa);
             for (std::size_t i = 0; i < 64; ++i)
                 CHECK((records.get(i) - x[i]).norm() < 2e-4);
         }
@@ -141,7 +143,7 @@ TEST_CASE("fast kernels: slivers and folded pairs stay finite, rest stays rest",
         records.set(6, {1, 0, 0}, 1.0f);      // edge of hinge 1 without length
         records.set(11, {-1, 0, 0}, 1.0f);    // the same at the other end
         const Records before = records;
-        kernels->hinges(records.v, &hinges, 1);
+        kernels->hinges(records.v, &hinges, 1, 1.0f);
         for (std::size_t i = 0; i < 64; ++i) {
             CHECK(records.get(i).allFinite());
             CHECK((records.get(i) - before.get(i)).norm() < 1e-6);
@@ -151,7 +153,7 @@ TEST_CASE("fast kernels: slivers and folded pairs stay finite, rest stays rest",
             hinges.cosine[i] = -hinges.cosine[i];
             hinges.sine[i] = -hinges.sine[i];
         }
-        kernels->hinges(records.v, &hinges, 1);
+        kernels->hinges(records.v, &hinges, 1, 1.0f);
         for (std::size_t i = 0; i < 64; ++i)
             CHECK((records.get(i) - before.get(i)).norm() < 2.0);
     }
@@ -176,4 +178,67 @@ TEST_CASE("fast kernels: the slope of a grid bounds every step of its interpolan
         steepest = std::max(steepest, change);
     }
     CHECK(steepest > 0.7);
+}
+
+TEST_CASE("fast kernels: forces and stiffness of the coarse step are those of the elastic terms",
+          "[solver][fast]") {
+    for (const Kernels* kernels : all_kernels()) {
+        INFO(kernels->name);
+        const double h = 1.0 / 180, share = 0.9;
+        Points rest = random_points(64, 11), x = random_points(64, 12), u = random_points(64, 13);
+        std::vector<DistanceConstraint> edges;
+        std::vector<Dihedral> pairs;
+        for (int i = 0; i < 16; ++i) {
+            pairs.push_back({i, i + 16, i + 32, i + 48, i});
+            edges.push_back(
+                {i, i + 16, (rest[std::size_t(i)] - rest[std::size_t(i) + 16]).norm(), 1e-6 * (i + 1)});
+        }
+        for (std::size_t i = 0; i < 64; ++i) // near enough to rest for the angles to be within their limit
+            x[i] = (rest[i] + 0.02 * (x[i] - rest[i])).cast<float>().cast<double>();
+        const DihedralConstraints hinges(rest, pairs, 0.3);
+        REQUIRE(hinges.size() == 16);
+        const ElasticTerms terms{&edges, &hinges.items(), 0.3, h, share};
+        EdgePacket edge{};
+        HingePacket hinge{};
+        Records records, forces, moves;
+        for (std::size_t i = 0; i < 64; ++i) {
+            records.set(i, x[i], 1.0f);
+            moves.set(i, u[i], 0.0f);
+        }
+        for (std::size_t i = 0; i < packet; ++i) {
+            edge.rest[i] = float(edges[i].rest);
+            edge.stiffness[i] = float(share / (edges[i].compliance / (h * h)));
+            for (std::size_t k = 0; k < 2; ++k)
+                edge.p[k][i] = std::uint16_t(i + 16 * k);
+            const DihedralConstraint& c = hinges.items()[i];
+            hinge.cosine[i] = float(std::cos(c.rest_rad));
+            hinge.sine[i] = float(std::sin(c.rest_rad));
+            hinge.compliance[i] = float(c.compliance / (h * h));
+            for (std::size_t k = 0; k < 4; ++k)
+                hinge.p[k][i] = std::uint16_t(c.p[k]);
+        }
+        const HingeSprings springs{float(share), float(thin_hinge_compliance(terms))};
+        Points force(64, Vec3::Zero());
+        double stiffness = 0, scale = 0;
+        const auto add = [&](const ElasticTerm& t) {
+            double along = 0;
+            for (std::size_t j = 0; j < std::size_t(t.count); ++j) {
+                force[std::size_t(t.point[j])] -= t.weight * t.value * t.gradient[j];
+                along += t.gradient[j].dot(u[std::size_t(t.point[j])]);
+            }
+            stiffness += t.weight * along * along;
+        };
+        for_each_edge_term(terms, x, {}, add);
+        kernels->edge_forces(records.v, forces.v, &edge, 1);
+        CHECK(kernels->edge_stiffness(records.v, moves.v, &edge, 1, 1) == Approx(stiffness).epsilon(1e-4));
+        for_each_hinge_term(terms, x, {}, add);
+        kernels->hinge_forces(records.v, forces.v, &hinge, 1, springs);
+        CHECK(kernels->edge_stiffness(records.v, moves.v, &edge, 1, 1) +
+                  kernels->hinge_stiffness(records.v, moves.v, &hinge, 1, 1, springs) ==
+              Approx(stiffness).epsilon(1e-3));
+        for (const Vec3& f : force)
+            scale = std::max(scale, f.norm());
+        for (std::size_t i = 0; i < 64; ++i)
+            CHECK((forces.get(i) - force[i]).norm() < 1e-3 * scale);
+    }
 }

@@ -44,11 +44,29 @@ FASCICLE_WIDE void forward(const float* values, int n, int band, int stride, flo
     }
 }
 
-/// Adds a (six values) times each of b's six to six columns: to[0 .. 5] of each. The two behind get zeros, which is quicker than not.
-FASCICLE_WIDE void add_block(float* to, std::size_t step, const float* a, const float* b) {
-    for (int j = 0; j < 6; ++j, to += step)
-        for (int i = 0; i < 8; ++i)
-            to[i] += a[i] * b[j];
+/// The lower half of v v^T, six rows and columns a cluster; to each column go eight values, the last two zero, which is quicker than six.
+/// step: from one column of the band to the same row of the next.
+FASCICLE_WIDE void add_lower(float* values, std::size_t stride, const int* cluster,
+                             const BandedCholesky::Six* row, int count) {
+    for (int k = 0; k < count; ++k) {
+        const float* const a = row[k].data();
+        for (int l = 0; l < count; ++l) {
+            if (cluster[k] < cluster[l])
+                continue;
+            const float* const b = row[l].data();
+            float* to = values + static_cast<std::size_t>(6 * cluster[l]) * stride +
+                        static_cast<std::size_t>(6 * (cluster[k] - cluster[l]));
+            if (k == l) {
+                for (int j = 0; j < 6; ++j, to += stride)
+                    for (int i = j; i < 6; ++i)
+                        to[i - j] += a[i] * b[j];
+                continue;
+            }
+            for (int j = 0; j < 6; ++j, to += stride - 1)
+                for (int i = 0; i < 8; ++i)
+                    to[i] += a[i] * b[j];
+        }
+    }
 }
 
 constexpr int lanes = 16; ///< partial sums of a scalar product, added in order
@@ -84,21 +102,12 @@ void BandedCholesky::reset(int n, int band) {
     n_ = n;
     band_ = band;
     stride_ = band + 1;
-    values_.assign(static_cast<std::size_t>(n) * static_cast<std::size_t>(stride_) + 2, 0.0F); // add_outer writes eight
+    values_.assign(static_cast<std::size_t>(n) * static_cast<std::size_t>(stride_) + 2,
+                   0.0F); // add_outer writes eight
 }
 
 void BandedCholesky::add_outer(const int* cluster, const Six* row, int count) {
-    const auto step = static_cast<std::size_t>(stride_) - 1; // from (i, j) to (i, j + 1)
-    for (int k = 0; k < count; ++k)
-        for (int l = 0; l < count; ++l) {
-            if (cluster[k] > cluster[l])
-                add_block(&at(6 * cluster[k], 6 * cluster[l]), step, row[k].data(), row[l].data());
-            if (k == l)
-                for (int j = 0; j < 6; ++j)
-                    for (int i = j; i < 6; ++i)
-                        at(6 * cluster[k] + i, 6 * cluster[k] + j) +=
-                            row[k][static_cast<std::size_t>(i)] * row[k][static_cast<std::size_t>(j)];
-        }
+    add_lower(values_.data(), static_cast<std::size_t>(stride_), cluster, row, count);
 }
 
 void BandedCholesky::add(const BandedCholesky& other) {

@@ -35,9 +35,7 @@ public:
     /// The displacement of the last step, V.
     const Points& displacement() const { return u_; }
     std::int64_t assemblies() const { return assemblies_; }
-    std::size_t bytes() const {
-        return matrix_.bytes() + bytes_of(force_, gradient_, u_, q_, r_, qg_, g_);
-    }
+    std::size_t bytes() const { return matrix_.bytes() + bytes_of(force_, gradient_, u_, q_, r_, qg_, g_); }
 
 private:
     double curvature(const Points& x, const ElasticTerms& terms) const;

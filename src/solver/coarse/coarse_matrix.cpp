@@ -69,7 +69,8 @@ void CoarseMatrix::add(BandedCholesky& sum, const Points& x, const ElasticTerm& 
 
 /// P^T P from the moments of each pair of clusters: with J = (1, -[r]x / R), r from the cluster's centre,
 /// J_a^T J_b = (1, -[r_b]x / R; [r_a]x / R, ((r_a . r_b) 1 - r_b r_a^T) / R^2).
-void CoarseMatrix::add_inertia(BandedCholesky& sum, const Points& x, std::size_t first, std::size_t end) const {
+void CoarseMatrix::add_inertia(BandedCholesky& sum, const Points& x, std::size_t first,
+                               std::size_t end) const {
     const std::size_t width = at(sum.band()) / 6 + 1;
     std::vector<PairMoments> pairs(at(basis_.clusters()) * width);
     for (std::size_t i = first; i < end; ++i) {
@@ -97,9 +98,9 @@ void CoarseMatrix::add_inertia(BandedCholesky& sum, const Points& x, std::size_t
             block.topLeftCorner<3, 3>() = pair.zeroth * Mat3::Identity();
             block.topRightCorner<3, 3>() = -per_radius * cross_matrix(pair.first);
             block.bottomLeftCorner<3, 3>() = per_radius * cross_matrix(pair.first + pair.zeroth * d);
-            block.bottomRightCorner<3, 3>() =
-                per_radius * per_radius *
-                ((pair.second.trace() + d.dot(pair.first)) * Mat3::Identity() - pair.second - pair.first * d.transpose());
+            block.bottomRightCorner<3, 3>() = per_radius * per_radius *
+                                              ((pair.second.trace() + d.dot(pair.first)) * Mat3::Identity() -
+                                               pair.second - pair.first * d.transpose());
             for (int j = 0; j < 6; ++j)
                 for (int i = a == b ? j : 0; i < 6; ++i)
                     sum.at(6 * a + i, 6 * b + j) += static_cast<float>(block(i, j));
@@ -137,8 +138,8 @@ void CoarseMatrix::finish() {
     matrix.factor();
 }
 
-void CoarseMatrix::assemble(const Points& x, const ElasticTerms& terms, const std::vector<double>& inverse_mass,
-                            const Points& normals) {
+void CoarseMatrix::assemble(const Points& x, const ElasticTerms& terms,
+                            const std::vector<double>& inverse_mass, const Points& normals) {
     begin(x);
     for (std::size_t p = 0; p < parts; ++p)
         add_part(p, x, terms, inverse_mass, normals);

@@ -13,7 +13,8 @@ public:
     static constexpr std::size_t parts = 4;
 
     CoarseMatrix() = default;
-    CoarseMatrix(const Points& rest, const MeshTopology& topology, const std::vector<double>& inverse_mass, int clusters)
+    CoarseMatrix(const Points& rest, const MeshTopology& topology, const std::vector<double>& inverse_mass,
+                 int clusters)
         : basis_(rest, topology, inverse_mass, clusters) {}
 
     bool empty() const { return basis_.clusters() == 0; }
@@ -25,8 +26,8 @@ public:
     void assemble(const Points& x, const ElasticTerms& terms, const std::vector<double>& inverse_mass,
                   const Points& normals);
     void begin(const Points& x);
-    void add_part(std::size_t part, const Points& x, const ElasticTerms& terms, const std::vector<double>& inverse_mass,
-                  const Points& normals);
+    void add_part(std::size_t part, const Points& x, const ElasticTerms& terms,
+                  const std::vector<double>& inverse_mass, const Points& normals);
     void finish();
 
     /// Two right-hand sides at once, in place, in the turned frames.

@@ -75,7 +75,8 @@ void FastCoarse::make_members(const Plan& plan) {
         for (std::size_t i = 0; i < list.size();) {
             MemberPacket next{};
             next.base = static_cast<std::uint32_t>(list[i].first);
-            for (std::size_t k = 0; k < packet && i < list.size() && list[i].first - next.base <= 65535; ++k, ++i) {
+            for (std::size_t k = 0; k < packet && i < list.size() && list[i].first - next.base <= 65535;
+                 ++k, ++i) {
                 next.index[k] = static_cast<std::uint16_t>(list[i].first - next.base);
                 next.weight[k] = list[i].second;
             }
@@ -92,13 +93,15 @@ void FastCoarse::clear(const GroupRange& range) {
 
 void FastCoarse::push(const float* records, const ConstraintSet& set) {
     const std::size_t first = 4 * set.first_record;
-    kernels_.edge_forces(records + first, floats(forces_) + first, plan_.edges.data() + set.first_edge, set.edges);
-    kernels_.hinge_forces(records + first, floats(forces_) + first, plan_.hinges.data() + set.first_hinge, set.hinges,
-                          springs_);
+    kernels_.edge_forces(records + first, floats(forces_) + first, plan_.edges.data() + set.first_edge,
+                         set.edges);
+    kernels_.hinge_forces(records + first, floats(forces_) + first, plan_.hinges.data() + set.first_hinge,
+                          set.hinges, springs_);
 }
 
 void FastCoarse::load(const VertexArrays& v, const GroupRange& range) {
-    kernels_.loads(v, range.begin, range.end, static_cast<float>(pressure_), floats(forces_), floats(gradients_));
+    kernels_.loads(v, range.begin, range.end, static_cast<float>(pressure_), floats(forces_),
+                   floats(gradients_));
 }
 
 void FastCoarse::sum(const float* records, std::size_t cluster, bool with_frames) {
@@ -131,7 +134,8 @@ void FastCoarse::prepare(const VertexArrays& v, bool with_frames) {
             for (Eigen::Index i = 0; i < 3; ++i)
                 for (Eigen::Index j = 0; j < 3; ++j)
                     moment(i, j) = static_cast<double>(s.shape[3 + 3 * i + j]);
-            turned = std::max(turned, matrix_.basis().set_frame(static_cast<int>(m), vec(s.centres), vec(s.shape), moment));
+            turned = std::max(
+                turned, matrix_.basis().set_frame(static_cast<int>(m), vec(s.centres), vec(s.shape), moment));
         }
     renew_ = assemblies_ == 0 || stale_ || turned > far_turn_rad;
     if (!renew_)
@@ -183,7 +187,8 @@ void FastCoarse::solve(double volume_error) {
     for (std::size_t m = 0; m < sums_.size(); ++m) {
         const Vec3 centre = basis.centre(static_cast<int>(m));
         const Mat3 turn = basis.turn(static_cast<int>(m));
-        const Vec3 omega = per_radius * (turn * vec(&q_[6 * m + 3])), u = turn * vec(&q_[6 * m]) - omega.cross(centre);
+        const Vec3 omega = per_radius * (turn * vec(&q_[6 * m + 3])),
+                   u = turn * vec(&q_[6 * m]) - omega.cross(centre);
         for (std::size_t k = 0; k < 3; ++k) {
             motion[4 * m + k] = static_cast<float>(u[static_cast<Eigen::Index>(k)]);
             motion[4 * (max_clusters + m) + k] = static_cast<float>(omega[static_cast<Eigen::Index>(k)]);
@@ -194,18 +199,20 @@ void FastCoarse::solve(double volume_error) {
 }
 
 void FastCoarse::spread(const VertexArrays& v, const GroupRange& range, std::size_t chunk) {
-    squares_[chunk] = kernels_.spread(v, shares_.data(), range.begin, range.end, floats(motion_), floats(moves_));
+    squares_[chunk] =
+        kernels_.spread(v, shares_.data(), range.begin, range.end, floats(motion_), floats(moves_));
 }
 
 void FastCoarse::bend(const float* records, const ConstraintSet& set, std::size_t number) {
-    const std::size_t first = 4 * set.first_record, phase = static_cast<std::size_t>(steps_) % curvature_stride;
+    const std::size_t first = 4 * set.first_record,
+                      phase = static_cast<std::size_t>(steps_) % curvature_stride;
     const std::size_t edge = std::min(phase, set.edges), hinge = std::min(phase, set.hinges);
-    stiffness_[number] =
-        kernels_.edge_stiffness(records + first, floats(moves_) + first, plan_.edges.data() + set.first_edge + edge,
-                                set.edges - edge, curvature_stride) +
-        kernels_.hinge_stiffness(records + first, floats(moves_) + first,
-                                 plan_.hinges.data() + set.first_hinge + hinge, set.hinges - hinge, curvature_stride,
-                                 springs_);
+    stiffness_[number] = kernels_.edge_stiffness(records + first, floats(moves_) + first,
+                                                 plan_.edges.data() + set.first_edge + edge, set.edges - edge,
+                                                 curvature_stride) +
+                         kernels_.hinge_stiffness(records + first, floats(moves_) + first,
+                                                  plan_.hinges.data() + set.first_hinge + hinge,
+                                                  set.hinges - hinge, curvature_stride, springs_);
 }
 
 double FastCoarse::length() const {
@@ -231,9 +238,9 @@ void FastCoarse::conclude(double length) {
 
 std::size_t FastCoarse::bytes() const {
     const auto bytes = [](const auto& list) { return list.size() * sizeof(list[0]); };
-    std::size_t total = matrix_.bytes() + bytes(forces_) + bytes(gradients_) + bytes(moves_) + bytes(reference_) +
-                        bytes(shares_) + bytes(sums_) + bytes(motion_) + bytes(edges_) + bytes(hinges_.items()) +
-                        bytes(mass_) + bytes(positions_) + bytes(normals_);
+    std::size_t total = matrix_.bytes() + bytes(forces_) + bytes(gradients_) + bytes(moves_) +
+                        bytes(reference_) + bytes(shares_) + bytes(sums_) + bytes(motion_) + bytes(edges_) +
+                        bytes(hinges_.items()) + bytes(mass_) + bytes(positions_) + bytes(normals_);
     for (const auto& list : members_)
         total += bytes(list);
     return total;

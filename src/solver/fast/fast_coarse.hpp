@@ -14,8 +14,8 @@ struct alignas(64) Row {
 class FastCoarse {
 public:
     /// matrix without clusters: empty(), and nothing else may be called. plan and kernels must outlive this.
-    FastCoarse(const SoftBodyProblem& problem, const MeshTopology& topology, CoarseMatrix matrix, const Plan& plan,
-               const Kernels& kernels);
+    FastCoarse(const SoftBodyProblem& problem, const MeshTopology& topology, CoarseMatrix matrix,
+               const Plan& plan, const Kernels& kernels);
     FastCoarse(const FastCoarse&) = delete;
     FastCoarse& operator=(const FastCoarse&) = delete;
 

@@ -4,8 +4,8 @@
 #include "fascicle/base/parallel.hpp"
 #include "fascicle/geometry/distance_grid.hpp"
 #include "fascicle/geometry/volume.hpp"
-#include "solver/constraints/volume.hpp"
 #include "solver/coarse/elastic_terms.hpp"
+#include "solver/constraints/volume.hpp"
 #include "solver/edge_constraints.hpp"
 #include "solver/fast/chunk_split.hpp"
 #include "solver/fast/fast_coarse.hpp"
@@ -27,9 +27,16 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// Stages as the report names them, timed by the first thread.
-enum Stage : std::size_t { predict_stage, coarse_stage, constraint_stage, volume_stage, contact_stage, stage_count };
-constexpr std::array<const char*, stage_count> stage_names{"predict", "coarse", "edges and dihedrals", "volume",
-                                                           "contact and prediction"};
+enum Stage : std::size_t {
+    predict_stage,
+    coarse_stage,
+    constraint_stage,
+    volume_stage,
+    contact_stage,
+    stage_count
+};
+constexpr std::array<const char*, stage_count> stage_names{"predict", "coarse", "edges and dihedrals",
+                                                           "volume", "contact and prediction"};
 
 class FastSolver final : public SoftBodySolver {
 public:
@@ -94,9 +101,10 @@ void set_affine(float (&out)[12], const Mat3& m, const Vec3& t) {
     }
 }
 
-FastSolver::FastSolver(const SoftBodyProblem& problem, const MeshTopology& topology, Plan plan, CoarseMatrix coarse,
-                       const Kernels& kernels)
-    : problem_(problem), plan_(std::move(plan)), kernels_(kernels), coarse_(problem, topology, std::move(coarse), plan_, kernels),
+FastSolver::FastSolver(const SoftBodyProblem& problem, const MeshTopology& topology, Plan plan,
+                       CoarseMatrix coarse, const Kernels& kernels)
+    : problem_(problem), plan_(std::move(plan)), kernels_(kernels),
+      coarse_(problem, topology, std::move(coarse), plan_, kernels),
       substeps_(passes_per_frame(problem.parameters)),
       team_(std::clamp(problem.threads, 1, static_cast<int>(plan_.interiors.size()))),
       split_(plan_.chunks.size(), team_.size()), positions_(problem.surface->positions) {
@@ -296,7 +304,8 @@ StepSettings FastSolver::settings_after_volume() const {
 
 /// The coarse step, from the predicted positions; each part waits for all of the one before.
 template <typename Chunks, typename Meet>
-void FastSolver::correct(int thread, int threads, bool with_frames, const Chunks& for_chunks, const Meet& meet) {
+void FastSolver::correct(int thread, int threads, bool with_frames, const Chunks& for_chunks,
+                         const Meet& meet) {
     const auto share = [&](std::size_t count, int t) {
         return count * static_cast<std::size_t>(t) / static_cast<std::size_t>(threads);
     };
@@ -451,21 +460,25 @@ std::unique_ptr<SoftBodySolver> make_fast_solver(const SoftBodyProblem& problem,
     const MeshTopology topology(problem.surface->vertex_count(), problem.surface->triangles);
     std::vector<double> mass;
     for (std::size_t i = 0; i < problem.body_of_vertex.size(); ++i)
-        mass.push_back(problem.body_of_vertex[i] >= 0 || topology.vertex_component(static_cast<int>(i)) < 0 ? 0.0 : 1.0);
+        mass.push_back(
+            problem.body_of_vertex[i] >= 0 || topology.vertex_component(static_cast<int>(i)) < 0 ? 0.0 : 1.0);
     CoarseMatrix coarse;
     double kappa = 1.0;
-    const int clusters = std::min(problem.parameters.get_int("solver.coarse"), static_cast<int>(fast::max_clusters));
+    const int clusters =
+        std::min(problem.parameters.get_int("solver.coarse"), static_cast<int>(fast::max_clusters));
     if (clusters > 0)
         coarse = CoarseMatrix(problem.surface->positions, topology, mass, clusters);
     if (!coarse.empty())
-        kappa = balance_of(make_edge_constraints(problem, problem.surface->positions, topology),
-                           problem.parameters.get("solver.frame_time") / passes_per_frame(problem.parameters));
+        kappa =
+            balance_of(make_edge_constraints(problem, problem.surface->positions, topology),
+                       problem.parameters.get("solver.frame_time") / passes_per_frame(problem.parameters));
     auto plan = fast::make_plan(problem, topology, kappa);
     if (!plan)
         return nullptr;
     if (kernels == nullptr)
         fast::available_kernels(&kernels, 1);
-    return std::make_unique<fast::FastSolver>(problem, topology, std::move(*plan), std::move(coarse), *kernels);
+    return std::make_unique<fast::FastSolver>(problem, topology, std::move(*plan), std::move(coarse),
+                                              *kernels);
 }
 
 } // namespace fascicle::solver

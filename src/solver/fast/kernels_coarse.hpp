@@ -72,7 +72,8 @@ inline HingeState<L> hinge_state(const float* records, const HingePacket& h, std
     const V cos0 = L::load(h.cosine + q), sin0 = L::load(h.sine + q);
     const V sine = length * dot(n1, b);
     const V error = limited_angle<L>(L::fnma(n12, sin0, sine * cos0), L::fma(n12, cos0, sine * sin0));
-    const V per_s1 = usable ? one / s1 : zero, per_s2 = usable ? one / s2 : zero, per_e2 = usable ? one / e2 : zero;
+    const V per_s1 = usable ? one / s1 : zero, per_s2 = usable ? one / s2 : zero,
+            per_e2 = usable ? one / e2 : zero;
     HingeState<L> state;
     state.u0 = dot(a, e) * per_e2;
     state.u1 = dot(b, e) * per_e2;
@@ -83,15 +84,18 @@ inline HingeState<L> hinge_state(const float* records, const HingePacket& h, std
     state.g1 = {k1 * n2.x, k1 * n2.y, k1 * n2.z};
     state.error = usable ? error : zero;
     const V mixed = L::splat(2.0f) * n12 * per_s1 * per_s2;
-    const V g2 = L::fma(state.v0 * state.v0, per_s1, L::fma(state.v1 * state.v1, per_s2, state.v0 * state.v1 * mixed));
-    const V g3 = L::fma(state.u0 * state.u0, per_s1, L::fma(state.u1 * state.u1, per_s2, state.u0 * state.u1 * mixed));
+    const V g2 =
+        L::fma(state.v0 * state.v0, per_s1, L::fma(state.v1 * state.v1, per_s2, state.v0 * state.v1 * mixed));
+    const V g3 =
+        L::fma(state.u0 * state.u0, per_s1, L::fma(state.u1 * state.u1, per_s2, state.u0 * state.u1 * mixed));
     state.square = length * length * (per_s1 + per_s2 + g2 + g3);
     return state;
 }
 
 /// Stiffness of a hinge. From some gradient on it falls with it: there the angle is far from linear.
 template <class L>
-inline typename L::V hinge_stiffness(typename L::V compliance, typename L::V square, const HingeSprings& springs) {
+inline typename L::V hinge_stiffness(typename L::V compliance, typename L::V square,
+                                     const HingeSprings& springs) {
     const typename L::V thin = L::splat(springs.thin) * square;
     const typename L::V least = compliance > thin ? compliance : thin;
     return least > L::splat(0.0f) ? L::splat(springs.share) / least : L::splat(0.0f);
@@ -128,8 +132,8 @@ void hinge_forces(const float* records, float* forces, const HingePacket* packet
 
 /// Sum over every `stride`-th packet of s (grad C . u)^2: the stiffness of the displacement u.
 template <class L>
-double edge_stiffness_along(const float* records, const float* moves, const EdgePacket* packets, std::size_t count,
-                            std::size_t stride) {
+double edge_stiffness_along(const float* records, const float* moves, const EdgePacket* packets,
+                            std::size_t count, std::size_t stride) {
     using V = typename L::V;
     V total = L::splat(0.0f);
     for (std::size_t p = 0; p < count; p += stride)
@@ -155,8 +159,8 @@ double edge_stiffness_along(const float* records, const float* moves, const Edge
 }
 
 template <class L>
-double hinge_stiffness_along(const float* records, const float* moves, const HingePacket* packets, std::size_t count,
-                             std::size_t stride, const HingeSprings& springs) {
+double hinge_stiffness_along(const float* records, const float* moves, const HingePacket* packets,
+                             std::size_t count, std::size_t stride, const HingeSprings& springs) {
     using V = typename L::V;
     V total = L::splat(0.0f);
     for (std::size_t p = 0; p < count; p += stride)
@@ -194,7 +198,8 @@ void gather_loads(const VertexArrays& v, std::size_t begin, std::size_t end, flo
             L::transpose(x);
             L::transpose(f);
             Vec<L> gradient = load_vec<L>(group.gradient, q);
-            Vec<L> load{L::fma(p, gradient.x, f[0]), L::fma(p, gradient.y, f[1]), L::fma(p, gradient.z, f[2])};
+            Vec<L> load{L::fma(p, gradient.x, f[0]), L::fma(p, gradient.y, f[1]),
+                        L::fma(p, gradient.z, f[2])};
             if (group.touched != 0) {
                 const Vec<L> n = load_vec<L>(group.normal, q);
                 V into = dot(load, n);

@@ -16,7 +16,8 @@ inline constexpr std::size_t block_dummies = 16; ///< unmovable records behind e
 /// Sixteen distance constraints with no vertex in common. Indices count from the first record of the set.
 struct alignas(64) EdgePacket {
     float rest[packet];
-    float gain[packet];      ///< 1 / max(wa + wb + alpha~, kappa alpha~), alpha~ = alpha / h^2: the weights are known beforehand
+    float gain
+        [packet]; ///< 1 / max(wa + wb + alpha~, kappa alpha~), alpha~ = alpha / h^2: the weights are known beforehand
     float stiffness[packet]; ///< of the edge as a spring of the coarse step
     std::uint16_t p[2][packet];
 };
@@ -143,14 +144,14 @@ struct Kernels {
     void (*edge_forces)(const float* records, float* forces, const EdgePacket* packets, std::size_t count);
     void (*hinge_forces)(const float* records, float* forces, const HingePacket* packets, std::size_t count,
                          const HingeSprings& springs);
-    double (*edge_stiffness)(const float* records, const float* moves, const EdgePacket* packets, std::size_t count,
-                             std::size_t stride);
-    double (*hinge_stiffness)(const float* records, const float* moves, const HingePacket* packets, std::size_t count,
-                              std::size_t stride, const HingeSprings& springs);
+    double (*edge_stiffness)(const float* records, const float* moves, const EdgePacket* packets,
+                             std::size_t count, std::size_t stride);
+    double (*hinge_stiffness)(const float* records, const float* moves, const HingePacket* packets,
+                              std::size_t count, std::size_t stride, const HingeSprings& springs);
     void (*loads)(const VertexArrays& v, std::size_t begin, std::size_t end, float pressure, float* forces,
                   float* gradients);
-    void (*sum_loads)(const float* records, const float* first, const float* second, const CoarseMembers& members,
-                      const float centre[3], float out[12]);
+    void (*sum_loads)(const float* records, const float* first, const float* second,
+                      const CoarseMembers& members, const float centre[3], float out[12]);
     void (*sum_shape)(const float* records, const float* reference, const CoarseMembers& members,
                       const float centres[6], float out[12]);
     double (*spread)(const VertexArrays& v, const CoarseShare* shares, std::size_t begin, std::size_t end,

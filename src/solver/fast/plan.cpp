@@ -83,7 +83,8 @@ private:
     bool pack_constraints() {
         const double h = problem_.parameters.get("solver.frame_time") / passes_per_frame(problem_.parameters);
         const double per_h2 = 1.0 / (h * h);
-        const std::vector<DistanceConstraint> all_edges = make_edge_constraints(problem_, plan_.rest, topology_);
+        const std::vector<DistanceConstraint> all_edges =
+            make_edge_constraints(problem_, plan_.rest, topology_);
         std::vector<DistanceConstraint> edges;
         for (const DistanceConstraint& e : all_edges)
             if (mass(e.a) + mass(e.b) > 0.0f)
@@ -153,7 +154,8 @@ private:
             const double softness = e.compliance * per_h2;
             p.gain[i] = static_cast<float>(1.0 / std::max(weight + softness, kappa_ * softness));
             p.stiffness[i] = static_cast<float>(
-                (1.0 - 1.0 / kappa_) / (std::max(e.compliance, compliance_from_stiffness(stiffest_coarse, 2.0)) * per_h2));
+                (1.0 - 1.0 / kappa_) /
+                (std::max(e.compliance, compliance_from_stiffness(stiffest_coarse, 2.0)) * per_h2));
             p.p[0][i] = index(e.a, set);
             p.p[1][i] = index(e.b, set);
         }

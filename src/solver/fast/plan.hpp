@@ -34,7 +34,7 @@ struct Plan {
     std::vector<HingePacket> hinges;
     std::vector<std::uint16_t> rings;
     std::vector<std::uint32_t> ring_base, ring_first, ring_length; ///< by group
-    float relax = 1; ///< kappa
+    float relax = 1;                                               ///< kappa
     std::size_t padding = 0; ///< lanes of constraint packets without a constraint
 
     std::size_t records() const { return packet * groups; }
@@ -43,6 +43,7 @@ struct Plan {
 /// Nothing when the mesh does not suit the fast kernel: vertices so entangled that no order brings neighbours within reach of
 /// 16-bit indices, with more than a thousand neighbours, or open ones where parts of the surface meet in a point.
 /// kappa: how much softer sweeps act next to a coarse step, see balance_of(); 1 without.
-std::optional<Plan> make_plan(const SoftBodyProblem& problem, const MeshTopology& topology, double kappa = 1.0);
+std::optional<Plan> make_plan(const SoftBodyProblem& problem, const MeshTopology& topology,
+                              double kappa = 1.0);
 
 } // namespace fascicle::solver::fast
