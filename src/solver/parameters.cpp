@@ -52,7 +52,7 @@ std::vector<ParamRow> make_rows() {
          K::integer,
          0,
          1000,
-         60,
+         100,
          {},
          "Of xpbd: clusters of vertices that a step before each sweep moves as wholes, for long waves; 0 "
          "leaves it out.",

@@ -17,11 +17,11 @@ struct Press {
     std::vector<Pose> from{2}, to{2};
     int frame = 0;
 
-    explicit Press(int levels) {
+    explicit Press(int levels, double cap = -9.5) {
         problem.surface = std::make_shared<TriMesh>(test::sphere(10, levels));
         problem.body_of_vertex.assign(problem.surface->positions.size(), -1);
         for (std::size_t i = 0; i < problem.body_of_vertex.size(); ++i)
-            if (problem.surface->positions[i].z() < -9.5)
+            if (problem.surface->positions[i].z() < cap)
                 problem.body_of_vertex[i] = 0;
         for (const double z : {-30.2, 10.3}) {
             auto plate = std::make_shared<TriMesh>(test::box(80, 80, 19.7));
@@ -69,7 +69,8 @@ TEST_CASE("fast solver: follows the plain one frame by frame", "[solver][fast]")
     // They differ in the order of constraints and in rounding: both converge to the same shape, so the difference is small against the
     // motion (the plate moves by 2 to 4 mm), and vanishes at rest.
     for (const auto& [friction, clusters] : {std::pair(0.0, 0), {0.5, 0}, {0.0, 30}}) {
-        Press press(4);
+        Press press(4,
+                    clusters == 0 ? -9.5 : -5.0); // held well, or it swings where the least difference tells
         press.problem.parameters.set("contact.friction", friction);
         press.problem.parameters.set("solver.coarse", clusters);
         const auto fast = make_fast_solver(press.problem), plain = [&] {
@@ -87,8 +88,7 @@ TEST_CASE("fast solver: follows the plain one frame by frame", "[solver][fast]")
             press.advance(*plain);
             press.next();
             INFO("frame " << f << ", friction " << friction << ", clusters " << clusters);
-            // With the coarse step the two also choose other constraints to measure the length of a step by.
-            CHECK(rms(fast->positions(), plain->positions()) < (clusters == 0 ? 0.1 : 0.5));
+            CHECK(rms(fast->positions(), plain->positions()) < 0.1);
             const double fast_error = std::abs(signed_volume(fast->positions(), mesh.triangles) / v0 - 1.0);
             const double plain_error = std::abs(signed_volume(plain->positions(), mesh.triangles) / v0 - 1.0);
             CHECK(fast_error < plain_error + 2e-4);
@@ -99,8 +99,7 @@ TEST_CASE("fast solver: follows the plain one frame by frame", "[solver][fast]")
         CHECK(fast->report().contacts > 0);
         CHECK(double(fast->report().contacts) == Approx(double(plain->report().contacts)).epsilon(0.15));
         CHECK(fast->report().unresolved == 0);
-        CHECK(rms(fast->positions(), mesh.positions) <
-              rms(plain->positions(), mesh.positions) + (clusters == 0 ? 0.01 : 0.05));
+        CHECK(rms(fast->positions(), mesh.positions) < rms(plain->positions(), mesh.positions) + 0.01);
     }
 }
 

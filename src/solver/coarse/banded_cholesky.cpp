@@ -1,6 +1,7 @@
 #include "solver/coarse/banded_cholesky.hpp"
 
 #include "fascicle/base/assert.hpp"
+#include "solver/coarse/wide.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,14 +9,6 @@
 namespace fascicle::solver {
 
 namespace {
-
-// No fused multiply-adds (-ffp-contract=off) and element-wise loops: wider registers change no bit.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) &&     \
-    !defined(__SANITIZE_THREAD__)
-#define FASCICLE_WIDE __attribute__((target_clones("avx512f", "avx2", "default"), optimize("O3")))
-#else
-#define FASCICLE_WIDE
-#endif
 
 /// What the columns right of column j lose when it is eliminated.
 FASCICLE_WIDE void eliminate(const float* column, float* next, int count, int stride) {

@@ -1,6 +1,7 @@
 #include "solver/coarse/coarse_matrix.hpp"
 
 #include "solver/coarse/coarse_step.hpp"
+#include "solver/coarse/wide.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,43 +27,91 @@ struct PairMoments {
     Mat3 second = Mat3::Zero();
 };
 
+/// Sums the pushes of `points` points by their clusters, four each; returns how many clusters there are.
+FASCICLE_WIDE int sum_by_cluster(int points, const int* clusters, const float* weights,
+                                 const BandedCholesky::Six* push, int* found, BandedCholesky::Six* row) {
+    int count = 0;
+    for (int e = 0; e < 4 * points; ++e) {
+        const float w = weights[e];
+        if (w == 0.0F)
+            continue;
+        int place = 0;
+        while (place < count && found[place] != clusters[e])
+            ++place;
+        float* const to = row[place].data();
+        const float* const from = push[e / 4].data();
+        if (place == count) {
+            found[count++] = clusters[e];
+            for (int i = 0; i < 8; ++i)
+                to[i] = w * from[i];
+        } else {
+            for (int i = 0; i < 8; ++i)
+                to[i] += w * from[i];
+        }
+    }
+    return count;
+}
+
 } // namespace
 
-void CoarseMatrix::begin(const Points& x) {
+void CoarseMatrix::sort_terms(const ElasticTerms& terms) {
+    const auto sorted = [&](const auto& list, const auto& first_point) {
+        std::vector<std::array<int, 5>> keys;
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            const ClusterWeights& own = basis_.weights()[at(first_point(list[i]))];
+            std::array<int, 4> clusters = own.cluster;
+            std::sort(clusters.begin(), clusters.end());
+            keys.push_back({clusters[0], clusters[1], clusters[2], clusters[3], static_cast<int>(i)});
+        }
+        std::sort(keys.begin(), keys.end());
+        std::vector<int> order;
+        for (const auto& key : keys)
+            order.push_back(key[4]);
+        return order;
+    };
+    edges_ = sorted(*terms.edges, [](const DistanceConstraint& c) { return c.a; });
+    hinges_ = sorted(*terms.hinges, [](const DihedralConstraint& c) { return c.p[2]; });
+}
+
+void CoarseMatrix::begin(const Points& x, const ElasticTerms& terms) {
+    if (edges_.size() != terms.edges->size() || hinges_.size() != terms.hinges->size())
+        sort_terms(terms);
     basis_.set_reference(x);
     for (BandedCholesky& sum : sums_)
         sum.reset(basis_.unknowns(), std::min(basis_.band(), basis_.unknowns() - 1));
 }
 
 /// Adds weight P^T grad C grad C^T P. The row of P^T grad C: the clusters of the term's points with six entries each; in
-/// the frames of the moment when the matrix is made nothing is turned.
+/// the frames of the moment when the matrix is made nothing is turned. Moments are formed about the first point.
 void CoarseMatrix::add(BandedCholesky& sum, const Points& x, const ElasticTerm& term, double weight) const {
-    std::array<int, 16> cluster;
+    std::array<int, 16> cluster, clusters;
+    std::array<float, 16> weights;
     std::array<BandedCholesky::Six, 16> row;
-    int count = 0;
+    std::array<BandedCholesky::Six, 4> push;
     const double scale = std::sqrt(weight), per_radius = 1.0 / basis_.radius();
+    const Vec3 origin = x[at(term.point[0])];
     for (std::size_t j = 0; j < at(term.count); ++j) {
         const ClusterWeights& own = basis_.weights()[at(term.point[j])];
-        const Vec3 g = scale * term.gradient[j];
+        const Vec3 force = scale * term.gradient[j];
+        const Vec3 torque = per_radius * (x[at(term.point[j])] - origin).cross(force);
+        push[j] = {static_cast<float>(force.x()),  static_cast<float>(force.y()),
+                   static_cast<float>(force.z()),  static_cast<float>(torque.x()),
+                   static_cast<float>(torque.y()), static_cast<float>(torque.z())};
         for (std::size_t k = 0; k < 4; ++k) {
-            if (own.weight[k] == 0.0)
-                continue;
-            const int m = own.cluster[k];
-            int place = 0;
-            while (place < count && cluster[at(place)] != m)
-                ++place;
-            if (place == count) {
-                cluster[at(count)] = m;
-                row[at(count)].fill(0.0F);
-                ++count;
-            }
-            const Vec3 force = own.weight[k] * g;
-            const Vec3 torque = per_radius * (x[at(term.point[j])] - basis_.centre(m)).cross(force);
-            for (std::size_t c = 0; c < 3; ++c) {
-                row[at(place)][c] += static_cast<float>(force[static_cast<Eigen::Index>(c)]);
-                row[at(place)][c + 3] += static_cast<float>(torque[static_cast<Eigen::Index>(c)]);
-            }
+            clusters[4 * j + k] = own.cluster[k];
+            weights[4 * j + k] = static_cast<float>(own.weight[k]);
         }
+    }
+    const int count =
+        sum_by_cluster(term.count, clusters.data(), weights.data(), push.data(), cluster.data(), row.data());
+    for (std::size_t k = 0; k < at(count); ++k) {
+        BandedCholesky::Six& r = row[k];
+        const Vec3 arm = per_radius * (origin - basis_.centre(cluster[k]));
+        const auto x0 = static_cast<float>(arm.x()), y0 = static_cast<float>(arm.y()),
+                   z0 = static_cast<float>(arm.z());
+        r[3] += y0 * r[2] - z0 * r[1];
+        r[4] += z0 * r[0] - x0 * r[2];
+        r[5] += x0 * r[1] - y0 * r[0];
     }
     sum.add_outer(cluster.data(), row.data(), count);
 }
@@ -110,10 +159,18 @@ void CoarseMatrix::add_inertia(BandedCholesky& sum, const Points& x, std::size_t
 void CoarseMatrix::add_part(std::size_t part, const Points& x, const ElasticTerms& terms,
                             const std::vector<double>& inverse_mass, const Points& normals) {
     BandedCholesky& sum = sums_[part];
-    const TermSample sample{static_cast<std::uint32_t>(part), static_cast<std::uint32_t>(parts)};
-    const auto add_term = [&](const ElasticTerm& term) { add(sum, x, term, matrix_safety * term.weight); };
-    for_each_edge_term(terms, x, sample, add_term);
-    for_each_hinge_term(terms, x, sample, add_term);
+    const auto share = [&](std::size_t count, std::size_t p) { return count * p / parts; };
+    ElasticTerm term;
+    for (std::size_t i = share(edges_.size(), part); i < share(edges_.size(), part + 1); ++i) {
+        edge_term(terms, x, at(edges_[i]), term);
+        add(sum, x, term, matrix_safety * term.weight);
+    }
+    const TermSample sample{static_cast<std::uint32_t>(assemblies_) % matrix_hinge_stride,
+                            matrix_hinge_stride};
+    for (std::size_t i = share(hinges_.size(), part); i < share(hinges_.size(), part + 1); ++i)
+        if (sample.has(at(hinges_[i])) && hinge_term(terms, x, at(hinges_[i]), term))
+            add(sum, x, term, matrix_safety * matrix_hinge_stride * term.weight);
+    // Vertices, in their own order.
     const std::size_t first = x.size() * part / parts, end = x.size() * (part + 1) / parts;
     add_inertia(sum, x, first, end);
     // Contacts are as stiff as an edge.
@@ -136,11 +193,12 @@ void CoarseMatrix::finish() {
     for (int i = 0; i < basis_.unknowns(); ++i)
         matrix.at(i, i) += 1e-6F * matrix.at(i, i) + 1e-6F;
     matrix.factor();
+    ++assemblies_;
 }
 
 void CoarseMatrix::assemble(const Points& x, const ElasticTerms& terms,
                             const std::vector<double>& inverse_mass, const Points& normals) {
-    begin(x);
+    begin(x, terms);
     for (std::size_t p = 0; p < parts; ++p)
         add_part(p, x, terms, inverse_mass, normals);
     finish();

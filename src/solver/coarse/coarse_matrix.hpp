@@ -25,21 +25,27 @@ public:
     /// contacts, zero where there is none, or empty. The same as begin(), add_part() for every part, finish().
     void assemble(const Points& x, const ElasticTerms& terms, const std::vector<double>& inverse_mass,
                   const Points& normals);
-    void begin(const Points& x);
+    void begin(const Points& x, const ElasticTerms& terms);
     void add_part(std::size_t part, const Points& x, const ElasticTerms& terms,
                   const std::vector<double>& inverse_mass, const Points& normals);
     void finish();
 
     /// Two right-hand sides at once, in place, in the turned frames.
     void solve(std::span<float> b0, std::span<float> b1) const { sums_[0].solve(b0, b1); }
-    std::size_t bytes() const { return basis_.bytes() + parts * sums_[0].bytes(); }
+    std::size_t bytes() const {
+        return basis_.bytes() + parts * sums_[0].bytes() + bytes_of(edges_, hinges_);
+    }
 
 private:
+    void sort_terms(const ElasticTerms& terms);
     void add(BandedCholesky& sum, const Points& x, const ElasticTerm& term, double weight) const;
     void add_inertia(BandedCholesky& sum, const Points& x, std::size_t first, std::size_t end) const;
 
     ClusterBasis basis_;
     std::array<BandedCholesky, parts> sums_; ///< the first holds the factor in the end
+    /// Numbers of edges and hinges, those of the same clusters together: they meet in the same places of the matrix.
+    std::vector<int> edges_, hinges_;
+    std::uint32_t assemblies_ = 0;
 };
 
 } // namespace fascicle::solver

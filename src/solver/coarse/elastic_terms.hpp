@@ -64,52 +64,58 @@ struct TermSample {
     }
 };
 
+/// The term of edge e.
+inline void edge_term(const ElasticTerms& terms, const Points& x, std::size_t e, ElasticTerm& term) {
+    const DistanceConstraint& c = (*terms.edges)[e];
+    const DistanceValue d =
+        distance_value(x[static_cast<std::size_t>(c.a)], x[static_cast<std::size_t>(c.b)], c.rest);
+    term.count = 2;
+    term.point = {c.a, c.b, 0, 0};
+    term.gradient[0] = d.gradient_a;
+    term.gradient[1] = -d.gradient_a;
+    term.value = d.value;
+    term.weight = terms.share * terms.substep_s * terms.substep_s /
+                  std::max(c.compliance, compliance_from_stiffness(stiffest_coarse, 2.0));
+}
+
+/// The term of hinge k; false where it is degenerate. A hinge whose wings have become thin has large gradients W;
+/// from four times its W at rest on its compliance grows with W, or its force would have no bound.
+inline bool hinge_term(const ElasticTerms& terms, const Points& x, std::size_t k, ElasticTerm& term) {
+    const DihedralConstraint& c = (*terms.hinges)[k];
+    const auto value = hinge_value(c, x);
+    if (!value)
+        return false;
+    double w = 0;
+    for (std::size_t j = 0; j < 4; ++j)
+        w += value->gradient[j].squaredNorm();
+    const double unit = compliance_from_stiffness(std::min(terms.bending, stiffest_coarse), 1.0);
+    term.count = 4;
+    term.point = c.p;
+    term.gradient = value->gradient;
+    term.value = value->error_rad;
+    term.weight =
+        terms.share * terms.substep_s * terms.substep_s / std::max(c.compliance, unit * w / thin_hinge);
+    return true;
+}
+
 /// f(term) for every edge in the sample.
 template <class F>
 void for_each_edge_term(const ElasticTerms& terms, const Points& x, TermSample sample, F f) {
-    const double per_h2 = 1.0 / (terms.substep_s * terms.substep_s);
-    const double least = compliance_from_stiffness(stiffest_coarse, 2.0);
     ElasticTerm term;
-    term.count = 2;
-    for (std::size_t e = 0; e < terms.edges->size(); ++e) {
-        if (!sample.has(e))
-            continue;
-        const DistanceConstraint& c = (*terms.edges)[e];
-        const DistanceValue d =
-            distance_value(x[static_cast<std::size_t>(c.a)], x[static_cast<std::size_t>(c.b)], c.rest);
-        term.point = {c.a, c.b, 0, 0};
-        term.gradient[0] = d.gradient_a;
-        term.gradient[1] = -d.gradient_a;
-        term.value = d.value;
-        term.weight = terms.share / (std::max(c.compliance, least) * per_h2);
-        f(term);
-    }
+    for (std::size_t e = 0; e < terms.edges->size(); ++e)
+        if (sample.has(e)) {
+            edge_term(terms, x, e, term);
+            f(term);
+        }
 }
 
-/// f(term) for every hinge in the sample. A hinge whose wings have become thin has large gradients W;
-/// from four times its W at rest on its compliance grows with W, or its force would have no bound.
+/// f(term) for every hinge in the sample that is not degenerate.
 template <class F>
 void for_each_hinge_term(const ElasticTerms& terms, const Points& x, TermSample sample, F f) {
-    const double per_h2 = 1.0 / (terms.substep_s * terms.substep_s);
-    const double unit = compliance_from_stiffness(std::min(terms.bending, stiffest_coarse), 1.0);
     ElasticTerm term;
-    term.count = 4;
-    for (std::size_t k = 0; k < terms.hinges->size(); ++k) {
-        if (!sample.has(k))
-            continue;
-        const DihedralConstraint& c = (*terms.hinges)[k];
-        const auto value = hinge_value(c, x);
-        if (!value)
-            continue;
-        double w = 0;
-        for (std::size_t j = 0; j < 4; ++j)
-            w += value->gradient[j].squaredNorm();
-        term.point = c.p;
-        term.gradient = value->gradient;
-        term.value = value->error_rad;
-        term.weight = terms.share / (std::max(c.compliance, unit * w / thin_hinge) * per_h2);
-        f(term);
-    }
+    for (std::size_t k = 0; k < terms.hinges->size(); ++k)
+        if (sample.has(k) && hinge_term(terms, x, k, term))
+            f(term);
 }
 
 /// From there on, alpha' of a hinge is this times sum |grad|^2.

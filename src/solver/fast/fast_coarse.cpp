@@ -141,7 +141,7 @@ void FastCoarse::prepare(const VertexArrays& v, bool with_frames) {
     if (!renew_)
         return;
     copy_state(v);
-    matrix_.begin(positions_);
+    matrix_.begin(positions_, terms_);
     for (std::size_t m = 0; m < sums_.size(); ++m)
         for (std::size_t k = 0; k < 3; ++k)
             sums_[m].centres[3 + k] =

@@ -466,7 +466,8 @@ std::unique_ptr<SoftBodySolver> make_fast_solver(const SoftBodyProblem& problem,
     double kappa = 1.0;
     const int clusters =
         std::min(problem.parameters.get_int("solver.coarse"), static_cast<int>(fast::max_clusters));
-    if (clusters > 0)
+    // A body that nothing holds has no long waves that lag behind, and the rounding of the coarse step would push it along.
+    if (clusters > 0 && std::find(mass.begin(), mass.end(), 0.0) != mass.end())
         coarse = CoarseMatrix(problem.surface->positions, topology, mass, clusters);
     if (!coarse.empty())
         kappa =

@@ -11,6 +11,7 @@
 #include "solver/edge_constraints.hpp"
 #include "solver/fast/fast_solver.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -84,7 +85,8 @@ XpbdSolver::XpbdSolver(const SoftBodyProblem& problem)
         if (problem_.body_of_vertex[i] >= 0 || topology_.vertex_component(static_cast<int>(i)) < 0)
             inverse_mass_[i] = 0.0;
     const int clusters = problem.parameters.get_int("solver.coarse");
-    if (clusters > 0)
+    // A body that nothing holds has no long waves that lag behind, and the rounding of the coarse step would push it along.
+    if (clusters > 0 && std::find(inverse_mass_.begin(), inverse_mass_.end(), 0.0) != inverse_mass_.end())
         coarse_ = CoarseCorrection(x_, topology_, inverse_mass_, clusters);
     if (!coarse_.empty()) {
         const double h = frame_time_ / substeps_;
