@@ -1,6 +1,8 @@
 // The whole path on real data: gluteus maximus through a flexion of the hip, as the command line runs it.
 
 #include "fascicle/geometry/bvh.hpp"
+#include "fascicle/geometry/mesh_topology.hpp"
+#include "fascicle/geometry/remesh.hpp"
 #include "fascicle/geometry/volume.hpp"
 #include "fascicle/geometry/winding_number.hpp"
 #include "fascicle/io/load_scene.hpp"
@@ -105,4 +107,44 @@ TEST_CASE("gluteus maximus through a hip flexion keeps its volume, stays out of 
     };
     CHECK(rms_at(30) > 20.0);
     CHECK(rms_at(120) < 1.0);
+}
+
+TEST_CASE("iliacus: half and twice the triangles move volume and mean edge extension by less than 2 %",
+          "[simulation][data][slow]") {
+    FASCICLE_NEED_DATA(data);
+    const std::filesystem::path lhdl = data / "lhdl";
+    SceneRequest request = gluteus_request(lhdl);
+    request.muscles = {lhdl / "iliacus.vtk"};
+    request.attachments = {{"iliacus", lhdl / "iliacus_attachments.csv"}};
+    request.phases = Phases{50, 0, 0};
+    LoadedScene loaded = load_scene(request);
+    loaded.scene.parameters.assign("solver.iterations=3");
+    loaded.scene.parameters.assign("contact.grid_mm=2");
+    const TriMesh& mesh = *loaded.scene.muscles[0].mesh;
+    const TriangleBvh surface(mesh);
+    std::vector<double> volumes, extensions;
+    for (const double factor : {0.5, 1.0, 2.0}) {
+        Scene scene = loaded.scene;
+        RemeshOptions options;
+        options.triangles = static_cast<int>(factor * double(mesh.triangles.size()));
+        options.project = [&](const Vec3& p) { return surface.closest(p).point; };
+        scene.muscles[0].mesh = std::make_shared<TriMesh>(remesh(mesh, options));
+        Recording recording(std::make_shared<Scene>(scene));
+        run_simulation(recording, {2}, {});
+        REQUIRE(recording.state() == RunState::finished);
+        const TriMesh& used = *scene.muscles[0].mesh;
+        const Points &rest = *recording.frame(0)->muscle_positions[0],
+                     &flexed = *recording.last_frame()->muscle_positions[0];
+        const MeshTopology topology(used.vertex_count(), used.triangles);
+        double sum = 0;
+        for (const Edge& e : topology.edges()) {
+            const auto a = static_cast<std::size_t>(e.a), b = static_cast<std::size_t>(e.b);
+            sum += (flexed[a] - flexed[b]).norm() / (rest[a] - rest[b]).norm();
+        }
+        extensions.push_back(sum / double(topology.edges().size()));
+        volumes.push_back(signed_volume(flexed, used.triangles) / signed_volume(rest, used.triangles));
+        INFO("triangles " << used.triangles.size());
+        CHECK(volumes.back() == Approx(volumes.front()).epsilon(0.02));
+        CHECK(extensions.back() == Approx(extensions.front()).epsilon(0.02));
+    }
 }

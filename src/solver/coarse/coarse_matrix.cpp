@@ -20,13 +20,6 @@ Mat3 cross_matrix(const Vec3& v) {
     return m;
 }
 
-/// Sums over the vertices that two clusters share, with x from the centre of the lower one: w w, w w x, w w x x^T.
-struct PairMoments {
-    double zeroth = 0;
-    Vec3 first = Vec3::Zero();
-    Mat3 second = Mat3::Zero();
-};
-
 /// Sums the pushes of `points` points by their clusters, four each; returns how many clusters there are.
 FASCICLE_WIDE int sum_by_cluster(int points, const int* clusters, const float* weights,
                                  const BandedCholesky::Six* push, int* found, BandedCholesky::Six* row) {
@@ -118,10 +111,11 @@ void CoarseMatrix::add(BandedCholesky& sum, const Points& x, const ElasticTerm& 
 
 /// P^T P from the moments of each pair of clusters: with J = (1, -[r]x / R), r from the cluster's centre,
 /// J_a^T J_b = (1, -[r_b]x / R; [r_a]x / R, ((r_a . r_b) 1 - r_b r_a^T) / R^2).
-void CoarseMatrix::add_inertia(BandedCholesky& sum, const Points& x, std::size_t first,
-                               std::size_t end) const {
+void CoarseMatrix::add_inertia(std::size_t part, const Points& x, std::size_t first, std::size_t end) {
+    BandedCholesky& sum = sums_[part];
+    std::vector<PairMoments>& pairs = pairs_[part];
     const std::size_t width = at(sum.band()) / 6 + 1;
-    std::vector<PairMoments> pairs(at(basis_.clusters()) * width);
+    pairs.assign(at(basis_.clusters()) * width, PairMoments{});
     for (std::size_t i = first; i < end; ++i) {
         const ClusterWeights& own = basis_.weights()[i];
         for (std::size_t k = 0; k < 4; ++k)
@@ -172,7 +166,7 @@ void CoarseMatrix::add_part(std::size_t part, const Points& x, const ElasticTerm
             add(sum, x, term, matrix_safety * matrix_hinge_stride * term.weight);
     // Vertices, in their own order.
     const std::size_t first = x.size() * part / parts, end = x.size() * (part + 1) / parts;
-    add_inertia(sum, x, first, end);
+    add_inertia(part, x, first, end);
     // Contacts are as stiff as an edge.
     const double contact =
         2.0 * terms.share * terms.substep_s * terms.substep_s / compliance_from_stiffness(0.9, 2.0);

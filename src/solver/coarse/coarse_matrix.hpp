@@ -39,10 +39,18 @@ public:
 private:
     void sort_terms(const ElasticTerms& terms);
     void add(BandedCholesky& sum, const Points& x, const ElasticTerm& term, double weight) const;
-    void add_inertia(BandedCholesky& sum, const Points& x, std::size_t first, std::size_t end) const;
+    void add_inertia(std::size_t part, const Points& x, std::size_t first, std::size_t end);
+
+    /// Sums over the vertices that two clusters share, with x from the centre of the lower one: w w, w w x, w w x x^T.
+    struct PairMoments {
+        double zeroth = 0;
+        Vec3 first = Vec3::Zero();
+        Mat3 second = Mat3::Zero();
+    };
 
     ClusterBasis basis_;
-    std::array<BandedCholesky, parts> sums_; ///< the first holds the factor in the end
+    std::array<std::vector<PairMoments>, parts> pairs_; ///< lower cluster by difference to the higher one
+    std::array<BandedCholesky, parts> sums_;            ///< the first holds the factor in the end
     /// Numbers of edges and hinges, those of the same clusters together: they meet in the same places of the matrix.
     std::vector<int> edges_, hinges_;
     std::uint32_t assemblies_ = 0;
