@@ -155,14 +155,16 @@ void CoarseMatrix::add_part(std::size_t part, const Points& x, const ElasticTerm
     BandedCholesky& sum = sums_[part];
     const auto share = [&](std::size_t count, std::size_t p) { return count * p / parts; };
     ElasticTerm term;
+    const TermSample some_edges{assemblies_ % matrix_edge_stride, matrix_edge_stride};
     for (std::size_t i = share(edges_.size(), part); i < share(edges_.size(), part + 1); ++i) {
+        if (!some_edges.has(at(edges_[i])))
+            continue;
         edge_term(terms, x, at(edges_[i]), term);
-        add(sum, x, term, matrix_safety * term.weight);
+        add(sum, x, term, matrix_safety * matrix_edge_stride * term.weight);
     }
-    const TermSample sample{static_cast<std::uint32_t>(assemblies_) % matrix_hinge_stride,
-                            matrix_hinge_stride};
+    const TermSample some_hinges{assemblies_ % matrix_hinge_stride, matrix_hinge_stride};
     for (std::size_t i = share(hinges_.size(), part); i < share(hinges_.size(), part + 1); ++i)
-        if (sample.has(at(hinges_[i])) && hinge_term(terms, x, at(hinges_[i]), term))
+        if (some_hinges.has(at(hinges_[i])) && hinge_term(terms, x, at(hinges_[i]), term))
             add(sum, x, term, matrix_safety * matrix_hinge_stride * term.weight);
     // Vertices, in their own order.
     const std::size_t first = x.size() * part / parts, end = x.size() * (part + 1) / parts;
