@@ -5,6 +5,7 @@
 #include "support/shapes.hpp"
 
 #include <catch2/catch.hpp>
+#include <random>
 
 using namespace fascicle;
 using namespace fascicle::solver;
@@ -199,4 +200,48 @@ TEST_CASE("fast solver: a point that flies off to infinity is refused and counte
     press.advance(*solver);
     for (const Vec3& p : solver->positions())
         CHECK(p.allFinite());
+}
+
+TEST_CASE(
+    "fast solver: at any corner of the parameter table positions stay finite, and outside of the plates",
+    "[solver][fast]") {
+    std::mt19937 random(11);
+    const auto pick = [&](std::initializer_list<double> values) {
+        return *(values.begin() + std::uniform_int_distribution<std::size_t>(0, values.size() - 1)(random));
+    };
+    for (int run = 0; run < 60; ++run) {
+        Press press(3, -7.0);
+        ParamSet& p = press.problem.parameters;
+        const int substeps = static_cast<int>(pick({1, 3, 10}));
+        p.set("solver.iterations", substeps);
+        p.set("solver.stiffness", pick({0, 0.2, 0.9, 0.99, 1}));
+        p.set("solver.bending", pick({0, 0.3, 1}));
+        p.set("solver.pressure", pick({0.5, 1, 2}));
+        p.set("solver.damping", pick({0, 6, 1000}));
+        p.set("solver.coarse", pick({0, 5, 100}));
+        p.set("solver.frame_time", pick({1e-4, 1.0 / 60, 1}));
+        p.set("contact.friction", pick({0, 1, 2}));
+        p.set("contact.offset_mm", pick({0, 0.1, 0.15}));
+        INFO("run " << run << ", substeps " << substeps << ", stiffness " << p.get("solver.stiffness")
+                    << ", bending " << p.get("solver.bending") << ", pressure " << p.get("solver.pressure")
+                    << ", clusters " << p.get_int("solver.coarse") << ", frame " << p.get("solver.frame_time")
+                    << " s, friction " << p.get("contact.friction"));
+        const auto solver = make_fast_solver(press.problem);
+        REQUIRE(solver);
+        for (int f = 0; f < 25; ++f) {
+            press.step();
+            press.advance(*solver);
+            press.next();
+        }
+        CHECK(solver->report().non_finite == 0);
+        bool finite = true;
+        int inside = 0;
+        for (const Vec3& x : solver->positions()) {
+            finite = finite && x.allFinite();
+            for (std::size_t b = 0; b < 2; ++b)
+                inside += press.problem.solids[b].grid->value(press.to[b].apply_inverse(x)) < -0.01;
+        }
+        CHECK(finite);
+        CHECK(inside == 0);
+    }
 }
