@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <mutex>
 
 using namespace fascicle;
 
@@ -224,6 +225,7 @@ namespace {
 class CountingStore : public BlobStore {
 public:
     std::optional<std::string> find(const std::string& key) override {
+        const std::lock_guard lock(mutex_); // bones are looked for side by side
         ++asked;
         const auto it = kept.find(key);
         if (it == kept.end())
@@ -231,10 +233,16 @@ public:
         ++found;
         return it->second;
     }
-    void keep(const std::string& key, std::string_view bytes) override { kept[key] = bytes; }
+    void keep(const std::string& key, std::string_view bytes) override {
+        const std::lock_guard lock(mutex_);
+        kept[key] = bytes;
+    }
 
     std::map<std::string, std::string> kept;
     int asked = 0, found = 0;
+
+private:
+    std::mutex mutex_;
 };
 
 } // namespace

@@ -64,6 +64,10 @@ void CoarseMatrix::sort_terms(const ElasticTerms& terms) {
     };
     edges_ = sorted(*terms.edges, [](const DistanceConstraint& c) { return c.a; });
     hinges_ = sorted(*terms.hinges, [](const DihedralConstraint& c) { return c.p[2]; });
+    const auto members = std::count_if(basis_.weights().begin(), basis_.weights().end(),
+                                       [](const ClusterWeights& w) { return w.weight[0] > 0.0; });
+    edge_stride_ = double(members) > many_members * basis_.clusters() ? 2 : 1;
+    hinge_stride_ = 2 * edge_stride_;
 }
 
 void CoarseMatrix::begin(const Points& x, const ElasticTerms& terms) {
@@ -155,17 +159,17 @@ void CoarseMatrix::add_part(std::size_t part, const Points& x, const ElasticTerm
     BandedCholesky& sum = sums_[part];
     const auto share = [&](std::size_t count, std::size_t p) { return count * p / parts; };
     ElasticTerm term;
-    const TermSample some_edges{assemblies_ % matrix_edge_stride, matrix_edge_stride};
+    const TermSample some_edges{assemblies_ % edge_stride_, edge_stride_};
     for (std::size_t i = share(edges_.size(), part); i < share(edges_.size(), part + 1); ++i) {
         if (!some_edges.has(at(edges_[i])))
             continue;
         edge_term(terms, x, at(edges_[i]), term);
-        add(sum, x, term, matrix_safety * matrix_edge_stride * term.weight);
+        add(sum, x, term, matrix_safety * edge_stride_ * term.weight);
     }
-    const TermSample some_hinges{assemblies_ % matrix_hinge_stride, matrix_hinge_stride};
+    const TermSample some_hinges{assemblies_ % hinge_stride_, hinge_stride_};
     for (std::size_t i = share(hinges_.size(), part); i < share(hinges_.size(), part + 1); ++i)
         if (some_hinges.has(at(hinges_[i])) && hinge_term(terms, x, at(hinges_[i]), term))
-            add(sum, x, term, matrix_safety * matrix_hinge_stride * term.weight);
+            add(sum, x, term, matrix_safety * hinge_stride_ * term.weight);
     // Vertices, in their own order.
     const std::size_t first = x.size() * part / parts, end = x.size() * (part + 1) / parts;
     add_inertia(part, x, first, end);

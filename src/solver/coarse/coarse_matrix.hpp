@@ -53,6 +53,7 @@ private:
     std::array<BandedCholesky, parts> sums_;            ///< the first holds the factor in the end
     /// Numbers of edges and hinges, those of the same clusters together: they meet in the same places of the matrix.
     std::vector<int> edges_, hinges_;
+    std::uint32_t edge_stride_ = 1, hinge_stride_ = 1; ///< one in so many makes the matrix
     std::uint32_t assemblies_ = 0;
 };
 

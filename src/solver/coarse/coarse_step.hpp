@@ -7,10 +7,10 @@ namespace fascicle::solver {
 
 /// One in so many edges and hinges measures the curvature along a step, other ones each time.
 inline constexpr std::uint32_t curvature_stride = 4;
-/// One in so many hinges, and edges, makes the matrix, other ones each time: smooth movements strain neighbours alike. Hinges cost
-/// most and weigh less.
-inline constexpr std::uint32_t matrix_hinge_stride = 4;
-inline constexpr std::uint32_t matrix_edge_stride = 2;
+/// Where a cluster has so many free vertices, only every second edge and every fourth hinge makes the matrix, other ones each time;
+/// where it has fewer, every edge and every second hinge. Smooth movements strain neighbours alike, and hinges cost most and
+/// weigh less.
+inline constexpr double many_members = 60.0;
 /// By how much the matrix exceeds the curvature at the shape it is made for, so that it still does when it is older.
 inline constexpr double matrix_safety = 2.0;
 /// Longest step, of the one that the matrix asks for. Not more than 1, though the matrix is large: where inertia rules,
