@@ -36,8 +36,9 @@ public:
     const std::vector<ClusterWeights>& weights() const { return weights_; }
     const Vec3& centre(int cluster) const { return centre_[static_cast<std::size_t>(cluster)]; }
 
-    /// Takes x as the shape that frames are measured from: all turns become the identity.
+    /// Takes x as the shape that frames are measured from: all turns become the identity. x may be reference() itself, filled.
     void set_reference(const Points& x);
+    Points& reference() { return reference_; }
     /// Centres and turns of the clusters at x, from the reference. Turns by the iteration of Mueller, Bender, Chentanez,
     /// Macklin 2016, started from the last turn. Returns the largest angle (rad) of a turn.
     double update_frames(const Points& x);

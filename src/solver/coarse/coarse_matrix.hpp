@@ -10,7 +10,7 @@ namespace fascicle::solver {
 class CoarseMatrix {
 public:
     /// The matrix is a sum of so many parts, which may be made side by side; the result does not depend on it.
-    static constexpr std::size_t parts = 4;
+    static constexpr std::size_t parts = 2;
 
     CoarseMatrix() = default;
     CoarseMatrix(const Points& rest, const MeshTopology& topology, const std::vector<double>& inverse_mass,

@@ -40,14 +40,13 @@ FastCoarse::FastCoarse(const SoftBodyProblem& problem, const MeshTopology& topol
     springs_ = {static_cast<float>(terms_.share), static_cast<float>(thin_hinge_compliance(terms_))};
     for (const int record : plan.record_of_vertex)
         mass_.push_back(static_cast<double>(plan.inverse_mass[static_cast<std::size_t>(record)]));
-    for (std::vector<Row>* records : {&forces_, &gradients_, &moves_, &reference_})
+    for (std::vector<Row>* records : {&forces_, &moves_, &reference_})
         records->assign(4 * plan.groups, Row{});
     motion_.assign(2 * 4 * max_clusters / packet, Row{});
     squares_.assign(plan.chunks.size(), 0.0);
     stiffness_.assign(plan.interiors.size() + plan.interfaces.size(), 0.0);
     for (auto* values : {&q_, &r_, &qg_, &g_})
         values->resize(static_cast<std::size_t>(matrix_.basis().unknowns()));
-    positions_.resize(plan.rest.size());
     normals_.resize(plan.rest.size());
     make_members(plan);
 }
@@ -100,8 +99,7 @@ void FastCoarse::push(const float* records, const ConstraintSet& set) {
 }
 
 void FastCoarse::load(const VertexArrays& v, const GroupRange& range) {
-    kernels_.loads(v, range.begin, range.end, static_cast<float>(pressure_), floats(forces_),
-                   floats(gradients_));
+    kernels_.loads(v, range.begin, range.end, static_cast<float>(pressure_), floats(forces_), floats(moves_));
 }
 
 void FastCoarse::sum(const float* records, std::size_t cluster, bool with_frames) {
@@ -109,16 +107,17 @@ void FastCoarse::sum(const float* records, std::size_t cluster, bool with_frames
     const CoarseMembers members{members_[cluster].data(), members_[cluster].size()};
     if (with_frames && assemblies_ > 0)
         kernels_.sum_shape(records, floats(reference_), members, s.centres, s.shape);
-    kernels_.sum_loads(records, floats(forces_), floats(gradients_), members, s.centre, s.load);
+    kernels_.sum_loads(records, floats(forces_), floats(moves_), members, s.centre, s.load);
 }
 
 void FastCoarse::copy_state(const VertexArrays& v) {
-    for (std::size_t i = 0; i < positions_.size(); ++i) {
+    Points& positions = matrix_.basis().reference();
+    for (std::size_t i = 0; i < positions.size(); ++i) {
         const auto r = static_cast<std::size_t>(plan_.record_of_vertex[i]);
         const VertexGroup& group = v.groups[r / packet];
         for (std::size_t k = 0; k < 3; ++k) {
             const auto c = static_cast<Eigen::Index>(k);
-            positions_[i][c] = static_cast<double>(v.records[4 * r + k]);
+            positions[i][c] = static_cast<double>(v.records[4 * r + k]);
             normals_[i][c] = group.touched != 0 ? static_cast<double>(group.normal[k][r % packet]) : 0.0;
         }
     }
@@ -141,7 +140,7 @@ void FastCoarse::prepare(const VertexArrays& v, bool with_frames) {
     if (!renew_)
         return;
     copy_state(v);
-    matrix_.begin(positions_, terms_);
+    matrix_.begin(matrix_.basis().reference(), terms_);
     for (std::size_t m = 0; m < sums_.size(); ++m)
         for (std::size_t k = 0; k < 3; ++k)
             sums_[m].centres[3 + k] =
@@ -238,9 +237,9 @@ void FastCoarse::conclude(double length) {
 
 std::size_t FastCoarse::bytes() const {
     const auto bytes = [](const auto& list) { return list.size() * sizeof(list[0]); };
-    std::size_t total = matrix_.bytes() + bytes(forces_) + bytes(gradients_) + bytes(moves_) +
-                        bytes(reference_) + bytes(shares_) + bytes(sums_) + bytes(motion_) + bytes(edges_) +
-                        bytes(hinges_.items()) + bytes(mass_) + bytes(positions_) + bytes(normals_);
+    std::size_t total = matrix_.bytes() + bytes(forces_) + bytes(moves_) + bytes(reference_) +
+                        bytes(shares_) + bytes(sums_) + bytes(motion_) + bytes(edges_) +
+                        bytes(hinges_.items()) + bytes(mass_) + bytes(normals_);
     for (const auto& list : members_)
         total += bytes(list);
     return total;

@@ -34,7 +34,9 @@ public:
     void prepare(const VertexArrays& v, bool with_frames);
     /// Whether it has; then for every part of the matrix:
     bool renew() const { return renew_; }
-    void add_part(std::size_t part) { matrix_.add_part(part, positions_, terms_, mass_, normals_); }
+    void add_part(std::size_t part) {
+        matrix_.add_part(part, matrix_.basis().reference(), terms_, mass_, normals_);
+    }
     /// By one thread: the motion of the clusters. volume_error: V minus the wanted one.
     void solve(double volume_error);
     /// For every chunk, numbered: displacements.
@@ -62,7 +64,7 @@ private:
     std::vector<DistanceConstraint> edges_;
     ElasticTerms terms_;
     HingeSprings springs_{};
-    std::vector<Row> forces_, gradients_, moves_, reference_; ///< records
+    std::vector<Row> forces_, moves_, reference_; ///< records; moves_ holds the volume's gradients before
     std::vector<std::vector<MemberPacket>> members_;
     std::vector<CoarseShare> shares_;
     std::vector<Row> motion_; ///< two records a cluster: displacement of the origin, turn
@@ -75,7 +77,7 @@ private:
     std::vector<float> q_, r_, qg_, g_;
     std::vector<double> squares_, stiffness_; ///< by chunk, by set
     std::vector<double> mass_;                ///< V, inverse
-    Points positions_, normals_;              ///< what the matrix is made of
+    Points normals_;                          ///< what the matrix is made of
     double pressure_ = 0, more_ = 0, slope_ = 0;
     bool stale_ = true, renew_ = false;
     int age_ = 0;

@@ -123,6 +123,10 @@ FastSolver::FastSolver(const SoftBodyProblem& problem, const MeshTopology& topol
     make_groups();
     make_fixed_groups();
     make_solids();
+    // Only the arrays made of them are needed from here on.
+    plan_.rest = {};
+    problem_.edge_softness = {};
+    problem_.carry_weights = {};
 }
 
 void FastSolver::make_records() {
