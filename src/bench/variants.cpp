@@ -7,7 +7,7 @@
 namespace fascicle::bench {
 
 const std::vector<std::string>& variant_names() {
-    static const std::vector<std::string> names{"classic", "reference", "fast", "bullet"};
+    static const std::vector<std::string> names{"classic", "reference", "sweeps", "fast", "bullet"};
     return names;
 }
 
@@ -23,9 +23,10 @@ std::vector<Variant> make_variants(const ParamTable& table, const std::vector<in
     for (const int passes : {3, 10})
         variants.push_back({"reference", "xpbd", reference, passes, 1});
     if (has_kernel(table, "fast"))
-        for (const int passes : {3, 10})
-            for (const int count : threads)
-                variants.push_back({"fast", "xpbd", "fast", passes, count});
+        for (const bool coarse : {false, true})
+            for (const int passes : {3, 10})
+                for (const int count : threads)
+                    variants.push_back({coarse ? "fast" : "sweeps", "xpbd", "fast", passes, count, coarse});
     variants.push_back({"bullet", "", "", 3, 1});
     return variants;
 }
@@ -37,6 +38,8 @@ void apply(const Variant& variant, ParamSet& parameters) {
     if (!variant.kernel.empty())
         parameters.set_text("solver.kernel", variant.kernel);
     parameters.set("solver.iterations", variant.passes);
+    if (!variant.coarse)
+        parameters.set("solver.coarse", 0);
 }
 
 } // namespace fascicle::bench

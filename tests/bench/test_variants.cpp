@@ -31,8 +31,10 @@ TEST_CASE("rows of the fast kernel appear with its parameter and not before", "[
     CHECK(names(make_variants(ParamTable({}), {1, 2})) == plain);
     CHECK(names(make_variants(table_with_kernels({"reference"}), {1, 2})) == plain);
     const auto all = make_variants(table_with_kernels({"fast", "reference"}), {1, 2});
-    CHECK(names(all) == std::vector<std::string>{"classic 3/1", "reference 3/1", "reference 10/1", "fast 3/1",
-                                                 "fast 3/2", "fast 10/1", "fast 10/2", "bullet 3/1"});
+    CHECK(names(all) == std::vector<std::string>{"classic 3/1", "reference 3/1", "reference 10/1",
+                                                 "sweeps 3/1", "sweeps 3/2", "sweeps 10/1", "sweeps 10/2",
+                                                 "fast 3/1", "fast 3/2", "fast 10/1", "fast 10/2",
+                                                 "bullet 3/1"});
     CHECK(all[1].kernel == "reference");
     CHECK(all[3].kernel == "fast");
     for (const Variant& v : all)
@@ -51,5 +53,6 @@ TEST_CASE("a variant sets method, kernel and passes of this program", "[bench][v
         CHECK(passes_per_frame(parameters) == variant.passes);
         if (!variant.kernel.empty())
             CHECK(parameters.get_choice("solver.kernel") == variant.kernel);
+        CHECK((parameters.get_int("solver.coarse") == 0) == (variant.name == "sweeps"));
     }
 }
