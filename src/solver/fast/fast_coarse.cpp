@@ -1,5 +1,6 @@
 #include "solver/fast/fast_coarse.hpp"
 
+#include "fascicle/base/bytes_of.hpp"
 #include "solver/coarse/coarse_step.hpp"
 #include "solver/edge_constraints.hpp"
 
@@ -236,12 +237,10 @@ void FastCoarse::conclude(double length) {
 }
 
 std::size_t FastCoarse::bytes() const {
-    const auto bytes = [](const auto& list) { return list.size() * sizeof(list[0]); };
-    std::size_t total = matrix_.bytes() + bytes(forces_) + bytes(moves_) + bytes(reference_) +
-                        bytes(shares_) + bytes(sums_) + bytes(motion_) + bytes(edges_) +
-                        bytes(hinges_.items()) + bytes(mass_) + bytes(normals_);
+    std::size_t total = matrix_.bytes() + bytes_of(forces_, moves_, reference_, shares_, sums_, motion_,
+                                                   edges_, hinges_.items(), mass_, normals_);
     for (const auto& list : members_)
-        total += bytes(list);
+        total += bytes_of(list);
     return total;
 }
 

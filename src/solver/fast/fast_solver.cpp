@@ -1,6 +1,7 @@
 #include "solver/fast/fast_solver.hpp"
 
 #include "fascicle/base/assert.hpp"
+#include "fascicle/base/bytes_of.hpp"
 #include "fascicle/base/parallel.hpp"
 #include "fascicle/geometry/distance_grid.hpp"
 #include "fascicle/geometry/volume.hpp"
@@ -363,7 +364,8 @@ void FastSolver::run_frame(int thread, int threads, std::span<const Pose> to) {
         const auto start = Clock::now();
         for (std::size_t c = first_chunk; c < end_chunk; ++c)
             body(c, plan_.chunks[c]);
-        split_.add(thread, std::chrono::duration<double>(Clock::now() - start).count());
+        if (threads > 1) // alone it says nothing about the borders
+            split_.add(thread, std::chrono::duration<double>(Clock::now() - start).count());
     };
     const auto meet = [&] {
         if (threads > 1)
@@ -422,12 +424,10 @@ void FastSolver::run_frame(int thread, int threads, std::span<const Pose> to) {
 }
 
 std::size_t FastSolver::state_bytes() const {
-    const auto bytes = [](const auto& list) { return list.size() * sizeof(list[0]); };
-    return bytes(records_) + bytes(groups_) + bytes(slack_) + bytes(carry_) + bytes(fixed_) +
-           bytes(positions_) + bytes(plan_.edges) + bytes(plan_.hinges) + bytes(plan_.rings) +
-           bytes(plan_.rest) + bytes(plan_.record_of_vertex) + bytes(vertex_of_record_) +
-           bytes(plan_.inverse_mass) + 3 * bytes(plan_.ring_base) + bytes(problem_.body_of_vertex) +
-           bytes(problem_.edge_softness) + bytes(problem_.carry_weights) + coarse_.bytes();
+    return bytes_of(records_, groups_, slack_, carry_, fixed_, positions_, plan_.edges, plan_.hinges,
+                    plan_.rings, plan_.record_of_vertex, vertex_of_record_, plan_.inverse_mass,
+                    plan_.ring_base, plan_.ring_first, plan_.ring_length, problem_.body_of_vertex) +
+           coarse_.bytes();
 }
 
 /// Positions in the caller's order and frame.
@@ -462,16 +462,11 @@ void FastSolver::sum_reports() {
 std::unique_ptr<SoftBodySolver> make_fast_solver(const SoftBodyProblem& problem,
                                                  const fast::Kernels* kernels) {
     const MeshTopology topology(problem.surface->vertex_count(), problem.surface->triangles);
-    std::vector<double> mass;
-    for (std::size_t i = 0; i < problem.body_of_vertex.size(); ++i)
-        mass.push_back(
-            problem.body_of_vertex[i] >= 0 || topology.vertex_component(static_cast<int>(i)) < 0 ? 0.0 : 1.0);
+    const std::vector<double> mass = inverse_masses(problem, topology);
     CoarseMatrix coarse;
     double kappa = 1.0;
-    const int clusters =
-        std::min(problem.parameters.get_int("solver.coarse"), static_cast<int>(fast::max_clusters));
-    // A body that nothing holds has no long waves that lag behind, and the rounding of the coarse step would push it along.
-    if (clusters > 0 && std::find(mass.begin(), mass.end(), 0.0) != mass.end())
+    const int clusters = std::min(coarse_clusters(problem, mass), static_cast<int>(fast::max_clusters));
+    if (clusters > 0)
         coarse = CoarseMatrix(problem.surface->positions, topology, mass, clusters);
     if (!coarse.empty())
         kappa =

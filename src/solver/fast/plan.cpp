@@ -202,8 +202,8 @@ private:
 
 std::optional<Plan> make_plan(const SoftBodyProblem& problem, const MeshTopology& topology, double kappa) {
     std::vector<bool> held;
-    for (std::size_t i = 0; i < problem.body_of_vertex.size(); ++i)
-        held.push_back(problem.body_of_vertex[i] >= 0 || topology.vertex_component(static_cast<int>(i)) < 0);
+    for (const double mass : inverse_masses(problem, topology))
+        held.push_back(mass == 0.0);
     Plan plan;
     plan.relax = static_cast<float>(kappa);
     const auto layout = lay_out_blocks(topology, held, plan);

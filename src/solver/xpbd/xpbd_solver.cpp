@@ -75,18 +75,13 @@ XpbdSolver::XpbdSolver(const SoftBodyProblem& problem)
       substeps_(passes_per_frame(problem.parameters)),
       frame_time_(problem.parameters.get("solver.frame_time")),
       damping_(problem.parameters.get("solver.damping")), x_(problem.surface->positions), before_(x_),
-      velocity_(x_.size(), Vec3::Zero()), carried_(x_.size(), Vec3::Zero()), inverse_mass_(x_.size(), 1.0),
-      touched_(x_.size()) {
+      velocity_(x_.size(), Vec3::Zero()), carried_(x_.size(), Vec3::Zero()),
+      inverse_mass_(inverse_masses(problem, topology_)), touched_(x_.size()) {
     FASCICLE_ASSERT(problem_.body_of_vertex.size() == x_.size());
     contact_.offset = problem.parameters.get("contact.offset_mm") / problem.unit_mm;
     contact_.friction = problem.parameters.get("contact.friction");
-    for (std::size_t i = 0; i < x_.size(); ++i)
-        // A vertex of no triangle is held by nothing; it stays where it is.
-        if (problem_.body_of_vertex[i] >= 0 || topology_.vertex_component(static_cast<int>(i)) < 0)
-            inverse_mass_[i] = 0.0;
-    const int clusters = problem.parameters.get_int("solver.coarse");
-    // A body that nothing holds has no long waves that lag behind, and the rounding of the coarse step would push it along.
-    if (clusters > 0 && std::find(inverse_mass_.begin(), inverse_mass_.end(), 0.0) != inverse_mass_.end())
+    const int clusters = coarse_clusters(problem, inverse_mass_);
+    if (clusters > 0)
         coarse_ = CoarseCorrection(x_, topology_, inverse_mass_, clusters);
     if (!coarse_.empty()) {
         const double h = frame_time_ / substeps_;
