@@ -17,6 +17,7 @@ inline std::vector<DistanceConstraint>
 make_edge_constraints(const SoftBodyProblem& problem, const Points& rest, const MeshTopology& topology) {
     const double stiffness = problem.parameters.get("solver.stiffness");
     std::vector<DistanceConstraint> constraints;
+    constraints.reserve(topology.edges().size());
     for (std::size_t e = 0; e < topology.edges().size(); ++e) {
         const Edge& edge = topology.edges()[e];
         const double softness = problem.edge_softness.empty() ? 1.0 : problem.edge_softness[e];

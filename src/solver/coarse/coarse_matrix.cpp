@@ -58,6 +58,7 @@ void CoarseMatrix::sort_terms(const ElasticTerms& terms) {
         }
         std::sort(keys.begin(), keys.end());
         std::vector<int> order;
+        order.reserve(keys.size());
         for (const auto& key : keys)
             order.push_back(key[4]);
         return order;

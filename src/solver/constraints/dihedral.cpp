@@ -28,6 +28,7 @@ DihedralConstraints::DihedralConstraints(const Points& rest, const std::vector<D
                                          double stiffness) {
     if (stiffness <= 0.0)
         return;
+    items_.reserve(dihedrals.size());
     for (const Dihedral& pair : dihedrals) {
         const Vec3 &p0 = at(rest, pair.p0), &p1 = at(rest, pair.p1), &p2 = at(rest, pair.p2),
                    &p3 = at(rest, pair.p3);

@@ -39,6 +39,7 @@ FastCoarse::FastCoarse(const SoftBodyProblem& problem, const MeshTopology& topol
     terms_ = {&edges_, &hinges_.items(), problem.parameters.get("solver.bending"), h,
               1.0 - 1.0 / static_cast<double>(plan.relax)};
     springs_ = {static_cast<float>(terms_.share), static_cast<float>(thin_hinge_compliance(terms_))};
+    mass_.reserve(plan.record_of_vertex.size());
     for (const int record : plan.record_of_vertex)
         mass_.push_back(static_cast<double>(plan.inverse_mass[static_cast<std::size_t>(record)]));
     for (std::vector<Row>* records : {&forces_, &moves_, &reference_})
@@ -82,6 +83,7 @@ void FastCoarse::make_members(const Plan& plan) {
             }
             packets.push_back(next);
         }
+        packets.shrink_to_fit();
         members_.push_back(std::move(packets));
     }
 }

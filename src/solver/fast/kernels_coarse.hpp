@@ -13,20 +13,12 @@ void edge_forces(const float* records, float* forces, const EdgePacket* packets,
     for (std::size_t p = 0; p < count; ++p)
         for (std::size_t q = 0; q < packet; q += L::width) {
             const EdgePacket& e = packets[p];
-            V a[4], b[4], d[4], t[4];
+            V a[4], b[4], d[4], g[4];
             L::load_records(records, e.p[0] + q, a);
             L::load_records(records, e.p[1] + q, b);
-            for (int k = 0; k < 4; ++k) {
+            for (int k = 0; k < 4; ++k)
                 d[k] = L::without_w(a[k] - b[k]);
-                t[k] = d[k];
-            }
-            L::transpose(t);
-            const V rest = L::load(e.rest + q);
-            const V length = L::sqrt(L::fma(t[0], t[0], L::fma(t[1], t[1], t[2] * t[2])));
-            V f = (rest - length) * L::load(e.stiffness + q) / length;
-            f = (length > rest * L::splat(1e-9f)) & (length < L::splat(1e18f)) ? f : L::splat(0.0f);
-            const V g[4] = {L::template spread<0>(f), L::template spread<1>(f), L::template spread<2>(f),
-                            L::template spread<3>(f)};
+            edge_pull<L>(d, L::load(e.rest + q), L::load(e.stiffness + q), g);
             L::load_records(forces, e.p[0] + q, a);
             L::load_records(forces, e.p[1] + q, b);
             for (int k = 0; k < 4; ++k) {

@@ -24,29 +24,38 @@ inline Vec<L> operator-(const Vec<L>& a, const Vec<L>& b) {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
+/// The pull of edges whose record differences are d (w zero): (rest - |d|) / |d| times `strength`, spread over each record. Zero for
+/// coincident points, which have no direction, and where the length is not finite.
+template <class L>
+inline void edge_pull(const typename L::V d[4], typename L::V rest, typename L::V strength,
+                      typename L::V g[4]) {
+    using V = typename L::V;
+    V t[4] = {d[0], d[1], d[2], d[3]};
+    L::transpose(t);
+    const V length = L::sqrt(L::fma(t[0], t[0], L::fma(t[1], t[1], t[2] * t[2])));
+    V f = (rest - length) * strength / length;
+    f = (length > rest * L::splat(1e-9f)) & (length < L::splat(1e18f)) ? f : L::splat(0.0f);
+    g[0] = L::template spread<0>(f);
+    g[1] = L::template spread<1>(f);
+    g[2] = L::template spread<2>(f);
+    g[3] = L::template spread<3>(f);
+}
+
 /// Distance constraints, XPBD with one sweep: dx_a = -wa n C g, dx_b = wb n C g, with C = |d| - rest, n = d / |d| and
-/// g = 1 / (wa + wb + alpha / h^2). Coincident points have no direction and are left alone.
+/// g = 1 / max(wa + wb + alpha~, kappa alpha~).
 template <class L>
 void project_edges(float* records, const EdgePacket* packets, std::size_t count) {
     using V = typename L::V;
     for (std::size_t p = 0; p < count; ++p)
         for (std::size_t q = 0; q < packet; q += L::width) {
             const EdgePacket& e = packets[p];
-            V a[4], b[4], d[4], t[4];
+            V a[4], b[4], d[4], g[4];
             L::load_records(records, e.p[0] + q, a);
             L::load_records(records, e.p[1] + q, b);
-            for (int k = 0; k < 4; ++k) {
+            for (int k = 0; k < 4; ++k)
                 d[k] = L::without_w(a[k] - b[k]);
-                t[k] = d[k];
-            }
-            L::transpose(t);
-            const V rest = L::load(e.rest + q);
-            const V length = L::sqrt(L::fma(t[0], t[0], L::fma(t[1], t[1], t[2] * t[2])));
-            V f = (rest - length) * L::load(e.gain + q) / length;
-            // Not finite either: then the records' weights must stay, so that finish_substep can refuse the points.
-            f = (length > rest * L::splat(1e-9f)) & (length < L::splat(1e18f)) ? f : L::splat(0.0f);
-            const V g[4] = {L::template spread<0>(f), L::template spread<1>(f), L::template spread<2>(f),
-                            L::template spread<3>(f)};
+            // A pull that is not finite would spoil the records' weights, by which finish_substep refuses points.
+            edge_pull<L>(d, L::load(e.rest + q), L::load(e.gain + q), g);
             for (int k = 0; k < 4; ++k) {
                 a[k] = L::fma(L::template spread<3>(a[k]) * g[k], d[k], a[k]);
                 b[k] = L::fnma(L::template spread<3>(b[k]) * g[k], d[k], b[k]);

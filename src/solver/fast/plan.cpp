@@ -124,6 +124,9 @@ private:
             (s < layout_.blocks() ? plan_.interiors : plan_.interfaces).push_back(set);
         }
         plan_.interfaces.pop_back(); // behind the last block there is nothing
+        plan_.edges.shrink_to_fit(); // kept for the whole run
+        plan_.hinges.shrink_to_fit();
+        plan_.rings.shrink_to_fit();
         return true;
     }
 
