@@ -16,15 +16,19 @@ std::vector<Pose> bone_poses(const Scene& scene, int frame) {
 
 SceneSolver::SceneSolver(const Scene& scene, const PreparedScene& prepared, int threads) : threads_(threads) {
     FASCICLE_ASSERT(prepared.method != nullptr && prepared.muscles.size() == scene.muscles.size());
+    // Enough muscles keep all threads busy by themselves; a few of unlike size do not.
+    const bool many = prepared.muscles.size() >= 2 * static_cast<std::size_t>(std::max(threads, 1));
+    side_by_side_ = many;
     for (const PreparedMuscle& muscle : prepared.muscles) {
         SoftBodyProblem problem = muscle.problem;
-        problem.threads = std::max(1, threads / static_cast<int>(prepared.muscles.size()));
+        problem.threads = many ? 1 : threads;
         solvers_.push_back(prepared.method->make(problem));
+        side_by_side_ = side_by_side_ || !solvers_.back()->uses_threads();
     }
 }
 
 void SceneSolver::advance(std::span<const Pose> from, std::span<const Pose> to) {
-    parallel_for(threads_, solvers_.size(), 1, [&](std::size_t begin, std::size_t end) {
+    parallel_for(side_by_side_ ? threads_ : 1, solvers_.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t m = begin; m < end; ++m)
             solvers_[m]->advance(from, to);
     });

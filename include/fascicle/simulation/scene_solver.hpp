@@ -10,8 +10,8 @@ std::vector<Pose> bone_poses(const Scene& scene, int frame);
 
 class SceneSolver {
 public:
-    /// Makes one solver per muscle, at rest. `prepared` is only read: it may serve several solvers. Several muscles
-    /// run at once and share the threads evenly.
+    /// Makes one solver per muscle, at rest. `prepared` is only read: it may serve several solvers. Many muscles, or
+    /// those of a method that works on one thread, run side by side; a few run one after the other on all threads.
     SceneSolver(const Scene& scene, const PreparedScene& prepared, int threads);
 
     /// Advances all muscles by one frame; B poses each, one per bone, from rest.
@@ -25,6 +25,7 @@ public:
 
 private:
     int threads_;
+    bool side_by_side_ = false;
     std::vector<std::unique_ptr<SoftBodySolver>> solvers_;
 };
 

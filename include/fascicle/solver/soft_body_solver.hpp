@@ -56,6 +56,8 @@ public:
     virtual const StepReport& report() const = 0;
     /// The vertices that the method itself treats as fixed (classic fixes what collides at the start): V, -1 free.
     virtual const std::vector<int>& body_of_vertex() const = 0;
+    /// Whether advance() works on SoftBodyProblem::threads threads; else on the caller's alone.
+    virtual bool uses_threads() const { return false; }
     /// Bytes that grow with the surface and that the solver holds for itself: points, constraints, indices, scratch. Not
     /// in it: the shared rest mesh, and what belongs to the solids (meshes, grids, voxels).
     virtual std::size_t state_bytes() const = 0;

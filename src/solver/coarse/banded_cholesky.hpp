@@ -4,7 +4,6 @@
 
 #include "fascicle/base/bytes_of.hpp"
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -13,9 +12,6 @@ namespace fascicle::solver {
 
 class BandedCholesky {
 public:
-    /// Six numbers and room for two zeros.
-    using Six = std::array<float, 8>;
-
     /// n rows; entries (i, j) with |i - j| > band are zero. Clears the matrix.
     void reset(int n, int band);
     int size() const { return n_; }
@@ -26,13 +22,8 @@ public:
     /// A = L L^T in place, column by column. A pivot that is not positive is replaced by a huge one, which takes its
     /// unknown out of the problem; returns how many.
     int factor();
-    /// Adds v v^T, where v has the six values row[k] at unknowns 6 cluster[k], zero elsewhere; clusters all differ and are near enough
-    /// for the band.
-    void add_outer(const int* cluster, const Six* row, int count);
-    /// Adds a matrix of the same size and band.
-    void add(const BandedCholesky& other);
-    /// Solves L L^T x = b for two right-hand sides at once, in place: the factor is read once for both.
-    void solve(std::span<float> b0, std::span<float> b1) const;
+    /// Solves L L^T x = b in place.
+    void solve(std::span<float> b) const;
     std::size_t bytes() const { return bytes_of(values_); }
 
 private:
@@ -40,8 +31,13 @@ private:
         return static_cast<std::size_t>(j) * static_cast<std::size_t>(stride_) +
                static_cast<std::size_t>(i - j);
     }
+    void eliminate(int first, int end);
+    void forward(std::span<float> b) const;
+    void backward(std::span<float> b) const;
+    static std::size_t place(int i) { return static_cast<std::size_t>(i); }
+
     int n_ = 0, band_ = 0, stride_ = 1;
-    std::vector<float> values_; ///< column j: rows j .. j + band, contiguous
+    std::vector<float> values_; ///< column j: rows j .. j + band, contiguous, then some zeros
 };
 
 } // namespace fascicle::solver

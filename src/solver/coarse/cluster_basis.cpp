@@ -43,6 +43,14 @@ ClusterBasis::ClusterBasis(const Points& rest, const MeshTopology& topology,
             w *= ramp / sum;
     }
     band_ = order_clusters(topology, weights_, clusters_);
+    for (const ClusterWeights& own : weights_)
+        for (std::size_t k = 0; k < 4; ++k)
+            for (std::size_t l = 0; l < 4; ++l)
+                if (own.weight[k] > 0.0 && own.weight[l] > 0.0 && own.cluster[k] < own.cluster[l])
+                    neighbours_.push_back({own.cluster[k], own.cluster[l]});
+    std::sort(neighbours_.begin(), neighbours_.end());
+    neighbours_.erase(std::unique(neighbours_.begin(), neighbours_.end()), neighbours_.end());
+    neighbours_.shrink_to_fit();
     set_reference(rest);
 }
 
@@ -67,7 +75,7 @@ void ClusterBasis::set_reference(const Points& x) {
     turn_.assign(at(clusters_), Eigen::Quaterniond::Identity());
 }
 
-double ClusterBasis::update_frames(const Points& x) {
+void ClusterBasis::update_frames(const Points& x) {
     find_centres(x);
     moment_.assign(at(clusters_), Mat3::Zero());
     for (std::size_t i = 0; i < x.size(); ++i)
@@ -76,22 +84,29 @@ double ClusterBasis::update_frames(const Points& x) {
                 const std::size_t m = at(weights_[i].cluster[k]);
                 moment_[m] += w * (x[i] - centre_[m]) * (reference_[i] - reference_centre_[m]).transpose();
             }
-    double largest = 0;
     for (std::size_t m = 0; m < turn_.size(); ++m)
-        largest = std::max(largest, turn_to(m, moment_[m]));
-    return largest;
+        turn_to(m, moment_[m]);
 }
 
-double ClusterBasis::set_frame(int cluster, const Vec3& c, const Vec3& first, const Mat3& moment) {
+double ClusterBasis::mean_bend() const {
+    double sum = 0;
+    for (const auto& [a, b] : neighbours_) {
+        const double half = turn_[at(a)].dot(turn_[at(b)]); // cosine of half the angle
+        sum += 4.0 * std::max(0.0, 1.0 - half * half);
+    }
+    return neighbours_.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(neighbours_.size()));
+}
+
+void ClusterBasis::set_frame(int cluster, const Vec3& c, const Vec3& first, const Mat3& moment) {
     const std::size_t m = at(cluster);
     // sum w (r - d) = 0, so the moment does not depend on c.
     if (total_[m] > 0)
         centre_[m] = c + first / total_[m];
-    return turn_to(m, moment);
+    turn_to(m, moment);
 }
 
-/// Turns the cluster's frame towards the rotation nearest to the moment; returns its angle.
-double ClusterBasis::turn_to(std::size_t cluster, const Mat3& moment) {
+/// Turns the cluster's frame towards the rotation nearest to the moment.
+void ClusterBasis::turn_to(std::size_t cluster, const Mat3& moment) {
     Eigen::Quaterniond& q = turn_[cluster];
     for (int pass = 0; pass < 3; ++pass) {
         const Mat3 r = q.toRotationMatrix();
@@ -108,7 +123,6 @@ double ClusterBasis::turn_to(std::size_t cluster, const Mat3& moment) {
         q = Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis / angle)) * q;
         q.normalize();
     }
-    return 2.0 * std::acos(std::min(1.0, std::abs(q.w())));
 }
 
 void ClusterBasis::restrict_forces(const Points& x, const Points& f, std::span<float> out) {

@@ -40,12 +40,15 @@ public:
     void set_reference(const Points& x);
     Points& reference() { return reference_; }
     /// Centres and turns of the clusters at x, from the reference. Turns by the iteration of Mueller, Bender, Chentanez,
-    /// Macklin 2016, started from the last turn. Returns the largest angle (rad) of a turn.
-    double update_frames(const Points& x);
+    /// Macklin 2016, started from the last turn.
+    void update_frames(const Points& x);
 
     /// The same for one cluster from sums that the caller has made: with c any point near its centre, first = sum w (x - c) and
-    /// moment = sum w (x - c) (r - d)^T, r the reference and d its centre. Returns the angle.
-    double set_frame(int cluster, const Vec3& c, const Vec3& first, const Mat3& moment);
+    /// moment = sum w (x - c) (r - d)^T, r the reference and d its centre.
+    void set_frame(int cluster, const Vec3& c, const Vec3& first, const Mat3& moment);
+    /// Angle (rad) between the turns of two clusters that share a vertex, 2 sin of its half, rms over all such pairs. A
+    /// matrix in turned frames is as good as on the day it was made while all clusters turn alike, however far.
+    double mean_bend() const;
     Mat3 turn(int cluster) const { return turn_[static_cast<std::size_t>(cluster)].toRotationMatrix(); }
 
     /// out = Q^T P^T f, 6 values a cluster (force, torque / radius) in the turned frames.
@@ -54,21 +57,23 @@ public:
     void prolong(const Points& x, std::span<const float> q, Points& u);
 
     std::size_t bytes() const {
-        return bytes_of(weights_, reference_, centre_, reference_centre_, turn_, total_, moment_, modes_);
+        return bytes_of(weights_, reference_, centre_, reference_centre_, turn_, neighbours_, total_, moment_,
+                        modes_);
     }
 
 private:
     void find_centres(const Points& x);
-    double turn_to(std::size_t cluster, const Mat3& moment);
+    void turn_to(std::size_t cluster, const Mat3& moment);
 
     int clusters_ = 0, band_ = 0;
     double radius_ = 1;
     std::vector<ClusterWeights> weights_;
     Points reference_, centre_, reference_centre_;
     std::vector<Eigen::Quaterniond> turn_;
-    std::vector<double> total_; ///< sum of the weights of a cluster
-    std::vector<Mat3> moment_;  ///< scratch, as modes_: nothing is allocated in a frame
-    Points modes_;              ///< two a cluster: force and torque, or shift and turn
+    std::vector<std::array<int, 2>> neighbours_; ///< pairs of clusters that share a vertex
+    std::vector<double> total_;                  ///< sum of the weights of a cluster
+    std::vector<Mat3> moment_;                   ///< scratch, as modes_: nothing is allocated in a frame
+    Points modes_;                               ///< two a cluster: force and torque, or shift and turn
 };
 
 } // namespace fascicle::solver

@@ -24,8 +24,8 @@ double dot(const std::vector<float>& a, const std::vector<float>& b) {
 } // namespace
 
 CoarseCorrection::CoarseCorrection(const Points& rest, const MeshTopology& topology,
-                                   const std::vector<double>& inverse_mass, int clusters)
-    : matrix_(rest, topology, inverse_mass, clusters), force_(rest.size()), gradient_(rest.size()),
+                                   const std::vector<double>& inverse_mass, int clusters, int substeps)
+    : matrix_(rest, topology, inverse_mass, clusters, substeps), force_(rest.size()), gradient_(rest.size()),
       u_(rest.size(), Vec3::Zero()) {
     for (auto* values : {&q_, &r_, &qg_, &g_})
         values->resize(at(matrix_.basis().unknowns()));
@@ -53,7 +53,9 @@ void CoarseCorrection::correct(Points& x, const ElasticTerms& terms, VolumeConst
     if (empty() || !(terms.share > 0.0))
         return;
     ClusterBasis& basis = matrix_.basis();
-    if (assemblies_ == 0 || stale_ || basis.update_frames(x) > far_turn_rad) {
+    if (assemblies_ > 0)
+        basis.update_frames(x);
+    if (assemblies_ == 0 || stale_ || matrix_.outdated()) {
         matrix_.assemble(x, terms, inverse_mass, normals);
         age_ = 0;
         stale_ = false;
@@ -82,7 +84,8 @@ void CoarseCorrection::correct(Points& x, const ElasticTerms& terms, VolumeConst
     basis.restrict_forces(x, gradient_, g_);
     q_ = r_;
     qg_ = g_;
-    matrix_.solve(q_, qg_);
+    matrix_.solve(q_);
+    matrix_.solve(qg_);
     const double gain = dot(g_, qg_);
     const double more = gain > 0.0 ? (-volume_error - dot(g_, q_)) / gain : 0.0;
     for (std::size_t i = 0; i < q_.size(); ++i)

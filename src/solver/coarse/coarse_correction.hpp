@@ -22,7 +22,7 @@ class CoarseCorrection {
 public:
     CoarseCorrection() = default;
     CoarseCorrection(const Points& rest, const MeshTopology& topology,
-                     const std::vector<double>& inverse_mass, int clusters);
+                     const std::vector<double>& inverse_mass, int clusters, int substeps);
 
     bool empty() const { return matrix_.empty(); }
     const ClusterBasis& basis() const { return matrix_.basis(); }

@@ -1,10 +1,10 @@
 #include "solver/coarse/coarse_matrix.hpp"
 
-#include "solver/coarse/coarse_step.hpp"
 #include "solver/coarse/wide.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace fascicle::solver {
 
@@ -22,7 +22,7 @@ Mat3 cross_matrix(const Vec3& v) {
 
 /// Sums the pushes of `points` points by their clusters, four each; returns how many clusters there are.
 FASCICLE_WIDE int sum_by_cluster(int points, const int* clusters, const float* weights,
-                                 const BandedCholesky::Six* push, int* found, BandedCholesky::Six* row) {
+                                 const BlockSum::Six* push, int* found, BlockSum::Six* row) {
     int count = 0;
     for (int e = 0; e < 4 * points; ++e) {
         const float w = weights[e];
@@ -47,20 +47,20 @@ FASCICLE_WIDE int sum_by_cluster(int points, const int* clusters, const float* w
 
 } // namespace
 
-void CoarseMatrix::sort_terms(const ElasticTerms& terms) {
+void CoarseMatrix::prepare(const ElasticTerms& terms) {
     const auto sorted = [&](const auto& list, const auto& first_point) {
-        std::vector<std::array<int, 5>> keys;
+        std::vector<std::uint64_t> keys; // the two heaviest clusters, the number
+        keys.reserve(list.size());
         for (std::size_t i = 0; i < list.size(); ++i) {
             const ClusterWeights& own = basis_.weights()[at(first_point(list[i]))];
-            std::array<int, 4> clusters = own.cluster;
-            std::sort(clusters.begin(), clusters.end());
-            keys.push_back({clusters[0], clusters[1], clusters[2], clusters[3], static_cast<int>(i)});
+            keys.push_back(static_cast<std::uint64_t>(own.cluster[0]) << 48 |
+                           static_cast<std::uint64_t>(own.cluster[1]) << 32 | i);
         }
         std::sort(keys.begin(), keys.end());
         std::vector<int> order;
         order.reserve(keys.size());
-        for (const auto& key : keys)
-            order.push_back(key[4]);
+        for (const std::uint64_t key : keys)
+            order.push_back(static_cast<int>(key & 0xffffffffU));
         return order;
     };
     edges_ = sorted(*terms.edges, [](const DistanceConstraint& c) { return c.a; });
@@ -69,23 +69,56 @@ void CoarseMatrix::sort_terms(const ElasticTerms& terms) {
                                        [](const ClusterWeights& w) { return w.weight[0] > 0.0; });
     edge_stride_ = double(members) > many_members * basis_.clusters() ? 2 : 1;
     hinge_stride_ = 2 * edge_stride_;
+    find_pattern(terms);
+    for (std::size_t p = 0; p < parts; ++p) {
+        sums_[p].reset(pattern_);
+        moments_[p].assign(pattern_.pairs().size(), PairMoments{});
+    }
+    factor_.reset(basis_.unknowns(), std::min(basis_.band(), basis_.unknowns() - 1));
+}
+
+/// The clusters of one term's points may all meet.
+void CoarseMatrix::find_pattern(const ElasticTerms& terms) {
+    const int width = basis_.band() / 6 + 1;
+    std::vector<char> meet(at(basis_.clusters()) * at(width), 0);
+    const auto add = [&](int p, int q) {
+        const ClusterWeights &own = basis_.weights()[at(p)], &other = basis_.weights()[at(q)];
+        for (std::size_t k = 0; k < 4; ++k)
+            for (std::size_t l = 0; l < 4; ++l)
+                if (own.weight[k] != 0.0 && other.weight[l] != 0.0) {
+                    const auto [b, a] = std::minmax(own.cluster[k], other.cluster[l]);
+                    meet[at(b * width + a - b)] = 1;
+                }
+    };
+    for (const DistanceConstraint& edge : *terms.edges)
+        add(edge.a, edge.b);
+    for (const DihedralConstraint& hinge : *terms.hinges)
+        add(hinge.p[0], hinge.p[1]); // the other pairs are edges
+    for (std::size_t i = 0; i < basis_.weights().size(); ++i)
+        add(static_cast<int>(i), static_cast<int>(i));
+    std::vector<std::pair<int, int>> pairs;
+    for (int b = 0; b < basis_.clusters(); ++b)
+        for (int d = 0; d < width; ++d)
+            if (meet[at(b * width + d)] != 0)
+                pairs.emplace_back(b + d, b);
+    pattern_ = BlockPattern(basis_.clusters(), width, std::move(pairs));
 }
 
 void CoarseMatrix::begin(const Points& x, const ElasticTerms& terms) {
     if (edges_.size() != terms.edges->size() || hinges_.size() != terms.hinges->size())
-        sort_terms(terms);
+        prepare(terms);
     basis_.set_reference(x);
-    for (BandedCholesky& sum : sums_)
-        sum.reset(basis_.unknowns(), std::min(basis_.band(), basis_.unknowns() - 1));
+    for (BlockSum& sum : sums_)
+        sum.reset(pattern_);
 }
 
 /// Adds weight P^T grad C grad C^T P. The row of P^T grad C: the clusters of the term's points with six entries each; in
 /// the frames of the moment when the matrix is made nothing is turned. Moments are formed about the first point.
-void CoarseMatrix::add(BandedCholesky& sum, const Points& x, const ElasticTerm& term, double weight) const {
+void CoarseMatrix::add(BlockSum& sum, const Points& x, const ElasticTerm& term, double weight) const {
     std::array<int, 16> cluster, clusters;
     std::array<float, 16> weights;
-    std::array<BandedCholesky::Six, 16> row;
-    std::array<BandedCholesky::Six, 4> push;
+    std::array<BlockSum::Six, 16> row;
+    std::array<BlockSum::Six, 4> push;
     const double scale = std::sqrt(weight), per_radius = 1.0 / basis_.radius();
     const Vec3 origin = x[at(term.point[0])];
     for (std::size_t j = 0; j < at(term.count); ++j) {
@@ -103,7 +136,7 @@ void CoarseMatrix::add(BandedCholesky& sum, const Points& x, const ElasticTerm& 
     const int count =
         sum_by_cluster(term.count, clusters.data(), weights.data(), push.data(), cluster.data(), row.data());
     for (std::size_t k = 0; k < at(count); ++k) {
-        BandedCholesky::Six& r = row[k];
+        BlockSum::Six& r = row[k];
         const Vec3 arm = per_radius * (origin - basis_.centre(cluster[k]));
         const auto x0 = static_cast<float>(arm.x()), y0 = static_cast<float>(arm.y()),
                    z0 = static_cast<float>(arm.z());
@@ -111,53 +144,58 @@ void CoarseMatrix::add(BandedCholesky& sum, const Points& x, const ElasticTerm& 
         r[4] += z0 * r[0] - x0 * r[2];
         r[5] += x0 * r[1] - y0 * r[0];
     }
-    sum.add_outer(cluster.data(), row.data(), count);
+    sum.add_outer(pattern_, cluster.data(), row.data(), count);
 }
 
 /// P^T P from the moments of each pair of clusters: with J = (1, -[r]x / R), r from the cluster's centre,
 /// J_a^T J_b = (1, -[r_b]x / R; [r_a]x / R, ((r_a . r_b) 1 - r_b r_a^T) / R^2).
 void CoarseMatrix::add_inertia(std::size_t part, const Points& x, std::size_t first, std::size_t end) {
-    BandedCholesky& sum = sums_[part];
-    std::vector<PairMoments>& pairs = pairs_[part];
-    const std::size_t width = at(sum.band()) / 6 + 1;
-    pairs.assign(at(basis_.clusters()) * width, PairMoments{});
+    std::vector<PairMoments>& moments = moments_[part];
+    moments.assign(pattern_.pairs().size(), PairMoments{});
     for (std::size_t i = first; i < end; ++i) {
         const ClusterWeights& own = basis_.weights()[i];
-        for (std::size_t k = 0; k < 4; ++k)
-            for (std::size_t l = 0; l < 4; ++l) {
-                const double w = own.weight[k] * own.weight[l];
+        for (std::size_t l = 0; l < 4; ++l) {
+            if (own.weight[l] == 0.0)
+                continue;
+            const Vec3 p = x[i] - basis_.centre(own.cluster[l]), q = own.weight[l] * p;
+            const PairMoments some{own.weight[l], q.x(),         q.y(),         q.z(),         p.x() * q.x(),
+                                   p.x() * q.y(), p.x() * q.z(), p.y() * q.y(), p.y() * q.z(), p.z() * q.z()};
+            for (std::size_t k = 0; k < 4; ++k) {
+                const double w = own.weight[k];
                 if (w == 0.0 || own.cluster[k] < own.cluster[l])
                     continue;
-                const Vec3 p = x[i] - basis_.centre(own.cluster[l]);
-                PairMoments& pair = pairs[at(own.cluster[l]) * width + at(own.cluster[k] - own.cluster[l])];
-                pair.zeroth += w;
-                pair.first += w * p;
-                pair.second += w * p * p.transpose();
+                PairMoments& pair = moments[at(pattern_.place(own.cluster[k], own.cluster[l]))];
+                for (std::size_t c = 0; c < some.size(); ++c)
+                    pair[c] += w * some[c];
             }
+        }
     }
     const double per_radius = 1.0 / basis_.radius();
-    for (int b = 0; b < basis_.clusters(); ++b)
-        for (int a = b; a < std::min(basis_.clusters(), b + static_cast<int>(width)); ++a) {
-            const PairMoments& pair = pairs[at(b) * width + at(a - b)];
-            if (pair.zeroth == 0.0)
-                continue;
-            const Vec3 d = basis_.centre(b) - basis_.centre(a);
-            Eigen::Matrix<double, 6, 6> block;
-            block.topLeftCorner<3, 3>() = pair.zeroth * Mat3::Identity();
-            block.topRightCorner<3, 3>() = -per_radius * cross_matrix(pair.first);
-            block.bottomLeftCorner<3, 3>() = per_radius * cross_matrix(pair.first + pair.zeroth * d);
-            block.bottomRightCorner<3, 3>() = per_radius * per_radius *
-                                              ((pair.second.trace() + d.dot(pair.first)) * Mat3::Identity() -
-                                               pair.second - pair.first * d.transpose());
-            for (int j = 0; j < 6; ++j)
-                for (int i = a == b ? j : 0; i < 6; ++i)
-                    sum.at(6 * a + i, 6 * b + j) += static_cast<float>(block(i, j));
-        }
+    for (std::size_t n = 0; n < moments.size(); ++n) {
+        const PairMoments& pair = moments[n];
+        if (pair[0] == 0.0)
+            continue;
+        const auto [a, b] = pattern_.pairs()[n];
+        const Vec3 d = basis_.centre(b) - basis_.centre(a), first_moment(pair[1], pair[2], pair[3]);
+        Mat3 second;
+        second << pair[4], pair[5], pair[6], pair[5], pair[7], pair[8], pair[6], pair[8], pair[9];
+        Eigen::Matrix<double, 6, 6> block;
+        block.topLeftCorner<3, 3>() = pair[0] * Mat3::Identity();
+        block.topRightCorner<3, 3>() = -per_radius * cross_matrix(first_moment);
+        block.bottomLeftCorner<3, 3>() = per_radius * cross_matrix(first_moment + pair[0] * d);
+        block.bottomRightCorner<3, 3>() = per_radius * per_radius *
+                                          ((second.trace() + d.dot(first_moment)) * Mat3::Identity() -
+                                           second - first_moment * d.transpose());
+        BlockSum::Block& sum = sums_[part].block(static_cast<int>(n));
+        for (int j = 0; j < 6; ++j)
+            for (int i = 0; i < 6; ++i)
+                sum.v[at(8 * j + i)] += static_cast<float>(block(i, j));
+    }
 }
 
 void CoarseMatrix::add_part(std::size_t part, const Points& x, const ElasticTerms& terms,
                             const std::vector<double>& inverse_mass, const Points& normals) {
-    BandedCholesky& sum = sums_[part];
+    BlockSum& sum = sums_[part];
     const auto share = [&](std::size_t count, std::size_t p) { return count * p / parts; };
     ElasticTerm term;
     const TermSample some_edges{assemblies_ % edge_stride_, edge_stride_};
@@ -188,12 +226,20 @@ void CoarseMatrix::add_part(std::size_t part, const Points& x, const ElasticTerm
 }
 
 void CoarseMatrix::finish() {
-    BandedCholesky& matrix = sums_[0];
-    for (std::size_t p = 1; p < parts; ++p)
-        matrix.add(sums_[p]);
+    factor_.reset(basis_.unknowns(), std::min(basis_.band(), basis_.unknowns() - 1));
+    for (std::size_t n = 0; n < pattern_.pairs().size(); ++n) {
+        const auto [a, b] = pattern_.pairs()[n];
+        for (int j = 0; j < 6; ++j)
+            for (int i = a == b ? j : 0; i < 6; ++i) {
+                float sum = 0;
+                for (const BlockSum& part : sums_)
+                    sum += part.block(static_cast<int>(n)).v[at(8 * j + i)];
+                factor_.at(6 * a + i, 6 * b + j) = sum;
+            }
+    }
     for (int i = 0; i < basis_.unknowns(); ++i)
-        matrix.at(i, i) += 1e-6F * matrix.at(i, i) + 1e-6F;
-    matrix.factor();
+        factor_.at(i, i) += 1e-6F * factor_.at(i, i) + 1e-6F;
+    factor_.factor();
     ++assemblies_;
 }
 

@@ -16,9 +16,13 @@ inline constexpr double matrix_safety = 2.0;
 /// Longest step, of the one that the matrix asks for. Not more than 1, though the matrix is large: where inertia rules,
 /// it would be too far.
 inline constexpr double longest_step = 1.0;
-/// A step that had to be shortened to this, or clusters that have turned by this, ask for a new matrix.
+/// A step that had to be shortened to this asks for a new matrix.
 inline constexpr double short_step = 0.3;
-inline constexpr double far_turn_rad = 0.3;
+/// So do neighbouring clusters that have turned against each other by this in the mean (rms): the more substeps a frame, the
+/// more exact the shape is wanted to be and the less a matrix weighs among them.
+inline constexpr double far_bend_rad(int substeps) {
+    return 0.3 / (substeps > 3 ? substeps : 3);
+}
 /// Substeps that a matrix is kept at least.
 inline constexpr int least_matrix_age = 3;
 

@@ -51,6 +51,7 @@ FastCoarse::FastCoarse(const SoftBodyProblem& problem, const MeshTopology& topol
         values->resize(static_cast<std::size_t>(matrix_.basis().unknowns()));
     normals_.resize(plan.rest.size());
     make_members(plan);
+    matrix_.prepare(terms_);
 }
 
 void FastCoarse::make_members(const Plan& plan) {
@@ -86,6 +87,21 @@ void FastCoarse::make_members(const Plan& plan) {
         packets.shrink_to_fit();
         members_.push_back(std::move(packets));
     }
+    // By where their members lie, so that a thread sums over about the vertices that it has just worked on.
+    std::vector<std::pair<double, std::size_t>> places;
+    for (std::size_t m = 0; m < count; ++m) {
+        double place = 0;
+        for (const auto& [record, weight] : lists[m])
+            place += static_cast<double>(record);
+        places.emplace_back(place / static_cast<double>(std::max<std::size_t>(lists[m].size(), 1)), m);
+    }
+    std::sort(places.begin(), places.end());
+    order_.clear();
+    work_before_.assign(1, 0);
+    for (const auto& [place, m] : places) {
+        order_.push_back(m);
+        work_before_.push_back(work_before_.back() + members_[m].size());
+    }
 }
 
 void FastCoarse::clear(const GroupRange& range) {
@@ -105,7 +121,14 @@ void FastCoarse::load(const VertexArrays& v, const GroupRange& range) {
     kernels_.loads(v, range.begin, range.end, static_cast<float>(pressure_), floats(forces_), floats(moves_));
 }
 
-void FastCoarse::sum(const float* records, std::size_t cluster, bool with_frames) {
+void FastCoarse::sum(const float* records, int thread, int threads, bool with_frames) {
+    const std::size_t all = work_before_.back() + 1;
+    for (std::size_t i = 0; i < order_.size(); ++i)
+        if (work_before_[i] * static_cast<std::size_t>(threads) / all == static_cast<std::size_t>(thread))
+            sum_cluster(records, order_[i], with_frames);
+}
+
+void FastCoarse::sum_cluster(const float* records, std::size_t cluster, bool with_frames) {
     ClusterSums& s = sums_[cluster];
     const CoarseMembers members{members_[cluster].data(), members_[cluster].size()};
     if (with_frames && assemblies_ > 0)
@@ -128,7 +151,6 @@ void FastCoarse::copy_state(const VertexArrays& v) {
 }
 
 void FastCoarse::prepare(const VertexArrays& v, bool with_frames) {
-    double turned = 0;
     if (with_frames && assemblies_ > 0)
         for (std::size_t m = 0; m < sums_.size(); ++m) {
             const ClusterSums& s = sums_[m];
@@ -136,10 +158,9 @@ void FastCoarse::prepare(const VertexArrays& v, bool with_frames) {
             for (Eigen::Index i = 0; i < 3; ++i)
                 for (Eigen::Index j = 0; j < 3; ++j)
                     moment(i, j) = static_cast<double>(s.shape[3 + 3 * i + j]);
-            turned = std::max(
-                turned, matrix_.basis().set_frame(static_cast<int>(m), vec(s.centres), vec(s.shape), moment));
+            matrix_.basis().set_frame(static_cast<int>(m), vec(s.centres), vec(s.shape), moment);
         }
-    renew_ = assemblies_ == 0 || stale_ || turned > far_turn_rad;
+    renew_ = assemblies_ == 0 || stale_ || (with_frames && matrix_.outdated());
     if (!renew_)
         return;
     copy_state(v);
@@ -150,7 +171,7 @@ void FastCoarse::prepare(const VertexArrays& v, bool with_frames) {
                 static_cast<float>(matrix_.basis().centre(static_cast<int>(m))[static_cast<Eigen::Index>(k)]);
 }
 
-void FastCoarse::solve(double volume_error) {
+void FastCoarse::solve(double volume_error, bool with_frames) {
     const ClusterBasis& basis = matrix_.basis();
     if (renew_) {
         matrix_.finish();
@@ -178,8 +199,12 @@ void FastCoarse::solve(double volume_error) {
         into(s.load + 6, g_);
     }
     q_ = r_;
-    qg_ = g_;
-    matrix_.solve(q_, qg_);
+    matrix_.solve(q_);
+    // Only a way to change the volume, so it need not be of this very substep: the gain measured along it is.
+    if (with_frames || age_ == 1) {
+        qg_ = g_;
+        matrix_.solve(qg_);
+    }
     const double gain = dot(g_, qg_);
     more_ = gain > 0.0 ? (-volume_error - dot(g_, q_)) / gain : 0.0;
     for (std::size_t i = 0; i < q_.size(); ++i)

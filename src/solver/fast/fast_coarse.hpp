@@ -20,7 +20,6 @@ public:
     FastCoarse& operator=(const FastCoarse&) = delete;
 
     bool empty() const { return matrix_.empty(); }
-    std::size_t clusters() const { return members_.size(); }
 
     /// For every chunk: forces to zero.
     void clear(const GroupRange& range);
@@ -28,8 +27,8 @@ public:
     void push(const float* records, const ConstraintSet& set);
     /// For every chunk, after the volume's gradients: what the step has to balance.
     void load(const VertexArrays& v, const GroupRange& range);
-    /// For every cluster: forces, and, when with_frames, where it is and how it is turned.
-    void sum(const float* records, std::size_t cluster, bool with_frames);
+    /// By every thread, its share of the clusters: forces, and, when with_frames, where they are and how they are turned.
+    void sum(const float* records, int thread, int threads, bool with_frames);
     /// By one thread: takes the frames, and decides whether the matrix has to be made anew. with_frames as in sum().
     void prepare(const VertexArrays& v, bool with_frames);
     /// Whether it has; then for every part of the matrix:
@@ -37,8 +36,8 @@ public:
     void add_part(std::size_t part) {
         matrix_.add_part(part, matrix_.basis().reference(), terms_, mass_, normals_);
     }
-    /// By one thread: the motion of the clusters. volume_error: V minus the wanted one.
-    void solve(double volume_error);
+    /// By one thread: the motion of the clusters. volume_error: V minus the wanted one; with_frames as in sum().
+    void solve(double volume_error, bool with_frames);
     /// For every chunk, numbered: displacements.
     void spread(const VertexArrays& v, const GroupRange& range, std::size_t chunk);
     /// For every set, numbered with the interfaces behind the interiors: how stiff the body is along the displacement.
@@ -55,6 +54,7 @@ public:
 
 private:
     void make_members(const Plan& plan);
+    void sum_cluster(const float* records, std::size_t cluster, bool with_frames);
     void copy_state(const VertexArrays& v);
 
     const Plan& plan_;
@@ -66,6 +66,7 @@ private:
     HingeSprings springs_{};
     std::vector<Row> forces_, moves_, reference_; ///< records; moves_ holds the volume's gradients before
     std::vector<std::vector<MemberPacket>> members_;
+    std::vector<std::size_t> order_, work_before_; ///< clusters as threads take them, packets before each
     std::vector<CoarseShare> shares_;
     std::vector<Row> motion_; ///< two records a cluster: displacement of the origin, turn
     struct alignas(64) ClusterSums {

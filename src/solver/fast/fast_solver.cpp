@@ -47,6 +47,7 @@ public:
     const Points& positions() const override { return positions_; }
     const StepReport& report() const override { return report_; }
     const std::vector<int>& body_of_vertex() const override { return problem_.body_of_vertex; }
+    bool uses_threads() const override { return true; }
     std::size_t state_bytes() const override;
 
 private:
@@ -327,7 +328,7 @@ void FastSolver::correct(int thread, int threads, bool with_frames, const Chunks
     meet();
     for_chunks([&](std::size_t, const GroupRange& range) { coarse_.load(arrays(), range); });
     meet();
-    each(coarse_.clusters(), [&](std::size_t m) { coarse_.sum(records, m, with_frames); });
+    coarse_.sum(records, thread, threads, with_frames);
     meet();
     if (thread == 0)
         coarse_.prepare(arrays(), with_frames);
@@ -337,7 +338,7 @@ void FastSolver::correct(int thread, int threads, bool with_frames, const Chunks
         meet();
     }
     if (thread == 0)
-        coarse_.solve(total_volume().volume - wanted_volume_);
+        coarse_.solve(total_volume().volume - wanted_volume_, with_frames);
     meet();
     for_chunks([&](std::size_t c, const GroupRange& range) { coarse_.spread(arrays(), range, c); });
     meet();
@@ -467,7 +468,8 @@ std::unique_ptr<SoftBodySolver> make_fast_solver(const SoftBodyProblem& problem,
     double kappa = 1.0;
     const int clusters = std::min(coarse_clusters(problem, mass), static_cast<int>(fast::max_clusters));
     if (clusters > 0)
-        coarse = CoarseMatrix(problem.surface->positions, topology, mass, clusters);
+        coarse = CoarseMatrix(problem.surface->positions, topology, mass, clusters,
+                              passes_per_frame(problem.parameters));
     if (!coarse.empty())
         kappa =
             balance_of(make_edge_constraints(problem, problem.surface->positions, topology),

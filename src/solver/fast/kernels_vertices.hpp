@@ -123,8 +123,9 @@ inline void sample_grid(const SolidStep& solid, const Vec<L>& p, typename L::V& 
     gradient = select<L>(inside, {L::fma(z, f1 - f0, f0), L::fma(z, e1 - e0, e0), v1 - v0}, gradient);
 }
 
-inline constexpr int contact_passes = 4;      ///< as ContactSettings::passes
-inline constexpr float least_gradient = 0.3f; ///< below, a gradient says nothing about the way out
+inline constexpr int contact_passes = 4;         ///< as ContactSettings::passes
+inline constexpr float contact_rounding = 1e-3f; ///< of the offset
+inline constexpr float least_gradient = 0.3f;    ///< below, a gradient says nothing about the way out
 
 /// Puts the free lanes of x out of all solids, as resolve_contact does; a solid is looked up only where the slack is used up.
 /// slack: of this group, lanes q on, a row of 16 per solid.
@@ -135,6 +136,7 @@ inline void resolve_contacts(const SolidStep* solids, const StepSettings& s, typ
     using V = typename L::V;
     using I = typename L::I;
     const V zero = L::splat(0.0f), one = L::splat(1.0f), offset = L::splat(s.offset);
+    const V close_enough = L::splat(contact_rounding * s.offset); // else rounding asks for pass after pass
     I trapped = L::splat_int(0);
     for (int pass = 0; pass < contact_passes; ++pass) {
         I moved = L::splat_int(0);
@@ -148,7 +150,7 @@ inline void resolve_contacts(const SolidStep* solids, const StepSettings& s, typ
             Vec<L> g;
             sample_grid<L>(solid, affine<L>(solid.to_grid, x), value, g);
             const V depth = offset - value;
-            const I near = (depth > zero) & free;
+            const I near = (depth > (pass == 0 ? zero : close_enough)) & free;
             L::store(left, L::splat(-solid.per_slope) * depth);
             if (!L::any(near))
                 continue;

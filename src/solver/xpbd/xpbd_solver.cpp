@@ -82,7 +82,8 @@ XpbdSolver::XpbdSolver(const SoftBodyProblem& problem)
     contact_.friction = problem.parameters.get("contact.friction");
     const int clusters = coarse_clusters(problem, inverse_mass_);
     if (clusters > 0)
-        coarse_ = CoarseCorrection(x_, topology_, inverse_mass_, clusters);
+        coarse_ =
+            CoarseCorrection(x_, topology_, inverse_mass_, clusters, passes_per_frame(problem.parameters));
     if (!coarse_.empty()) {
         const double h = frame_time_ / substeps_;
         balance_ = balance_of(edges_.items(), h);
