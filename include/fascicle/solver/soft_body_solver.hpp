@@ -43,6 +43,12 @@ struct StepReport {
     std::int64_t contacts = 0;   ///< vertices moved by contact, summed over substeps
     std::int64_t unresolved = 0; ///< vertices that contact could not put outside, summed over substeps
     std::int64_t non_finite = 0; ///< new positions that were not finite and were refused
+    std::int64_t slid = 0;       ///< vertices that the hard bound stopped at a solid, summed over substeps
+    std::int64_t ejected = 0;    ///< vertices put to the nearest place outside of all solids
+    std::int64_t impossible = 0; ///< vertices for which there was no such place: the solids leave no room
+    std::int64_t samples_pushed = 0; ///< points on edges and faces pushed out of solids
+    std::int64_t samples_held =
+        0; ///< those that had to be left inside, held by an attachment or by another solid
     std::map<std::string, double> stage_seconds;
 };
 
