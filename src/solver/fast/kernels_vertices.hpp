@@ -303,7 +303,8 @@ void finish_substep(const VertexArrays& v, std::size_t begin, std::size_t end, c
                 used_up |= old - way < zero;
             }
             if (L::any(used_up & free)) {
-                resolve_contacts<L>(solids, s, free, start, slack - q, q, x, normal, touched, unsettled, sums);
+                resolve_contacts<L>(solids, s, free, start, slack - q, q, x, normal, touched, unsettled,
+                                    sums);
                 I bad = unsettled;
                 for (int b = 0; b < s.solids; ++b) {
                     const V way = way_to(b);
