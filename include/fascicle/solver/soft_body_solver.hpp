@@ -38,6 +38,15 @@ struct SoftBodyProblem {
     double unit_mm = 1.0;
 };
 
+/// A half-space that a vertex must stay in during one frame: (x - p(s)) . normal >= least, p(s) = from + s (to - from), s the
+/// share of the frame. normal: unit.
+struct PointPlane {
+    int vertex = -1;
+    Vec3 from = Vec3::Zero(), to = Vec3::Zero();
+    Vec3 normal = Vec3::Zero();
+    double least = 0;
+};
+
 /// Running totals since the start, and seconds per stage.
 struct StepReport {
     std::int64_t contacts = 0;   ///< vertices moved by contact, summed over substeps
@@ -57,6 +66,10 @@ public:
     virtual ~SoftBodySolver() = default;
     /// Advances one frame; solid b moves from `from[b]` to `to[b]` (poses from its rest pose), by screw motion.
     virtual void advance(std::span<const Pose> from, std::span<const Pose> to) = 0;
+    /// Whether the method knows planes.
+    virtual bool takes_planes() const { return false; }
+    /// Planes for the next frame only, ascending by vertex.
+    virtual void set_planes(std::span<const PointPlane> /*planes*/) {}
     /// V positions. Vertices fixed to a solid are exactly where its pose puts them.
     virtual const Points& positions() const = 0;
     virtual const StepReport& report() const = 0;

@@ -5,6 +5,7 @@
 #include "fascicle/geometry/distance_grid.hpp"
 #include "solver/contact/contact_setup.hpp"
 #include "solver/contact/grid_slope.hpp"
+#include "solver/contact/plane_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -245,6 +246,35 @@ void FastContact::guard(const VertexArrays& v, const GroupRange& range, int subs
             if (!guard_point(records, static_cast<int>(record), solids, false, settings_, counts))
                 refresh_slack(v, record, solids);
         }
+    sums.slid += counts.slid;
+    sums.ejected += counts.ejected;
+    sums.impossible += counts.impossible;
+}
+
+void FastContact::set_planes(std::span<const PointPlane> planes) {
+    planes_.assign(planes.begin(), planes.end());
+    for (PointPlane& plane : planes_)
+        plane.vertex = plan_.record_of_vertex[static_cast<std::size_t>(plane.vertex)];
+    std::stable_sort(planes_.begin(), planes_.end(),
+                     [](const PointPlane& a, const PointPlane& b) { return a.vertex < b.vertex; });
+    first_plane_.assign(plan_.chunks.size() + 1, planes_.size());
+    for (std::size_t i = planes_.size(); i-- > 0;)
+        first_plane_[chunk_of(static_cast<std::size_t>(planes_[i].vertex))] = i;
+    for (std::size_t c = plan_.chunks.size(); c-- > 0;)
+        first_plane_[c] = std::min(first_plane_[c], first_plane_[c + 1]);
+}
+
+void FastContact::hold_planes(const VertexArrays& v, std::size_t chunk, int substep, ContactSums& sums) {
+    if (planes_.empty())
+        return;
+    Records records(*this, v, solids_at(substep));
+    GuardCounts counts;
+    const double share = static_cast<double>(substep + 1) / substeps_;
+    for (std::size_t i = first_plane_[chunk]; i < first_plane_[chunk + 1]; ++i)
+        sums.contacts += hold_to_plane(planes_[i], planes_[i].vertex, share, records, solids_at(substep),
+                                       settings_, counts)
+                             ? 1
+                             : 0;
     sums.slid += counts.slid;
     sums.ejected += counts.ejected;
     sums.impossible += counts.impossible;

@@ -30,6 +30,10 @@ public:
     /// For every chunk after Kernels::finish, which was given step_travel(chunk): the vertices that it suspects.
     float* step_travel(std::size_t chunk) { return step_travel_.data() + chunk * stride_; }
     void guard(const VertexArrays& v, const GroupRange& range, int substep, ContactSums& sums);
+    /// Planes for the next frame, ascending by vertex; none: no planes.
+    void set_planes(std::span<const PointPlane> planes);
+    /// For every chunk after guard(): the vertices held in half-spaces.
+    void hold_planes(const VertexArrays& v, std::size_t chunk, int substep, ContactSums& sums);
     /// By every thread, after all chunks: looks at its share of the samples, in the last substep at all of them that may have come
     /// too near, before at those only that were too near a short while ago. What the frame ends with is what is guaranteed.
     void check_samples(const VertexArrays& v, int thread, int threads, int substep,
@@ -76,7 +80,9 @@ private:
     std::vector<std::uint8_t> hot_;         ///< by packet: substeps to look at it in, every time
     std::vector<float> frame_start_;        ///< records x 3: where the frame began
     bool moved_ = false;
-    std::vector<std::size_t> found_; ///< by thread, one cache line each: packets with violations
+    std::vector<std::size_t> found_;       ///< by thread, one cache line each: packets with violations
+    std::vector<PointPlane> planes_;       ///< of this frame, by record; vertex: the record
+    std::vector<std::size_t> first_plane_; ///< by chunk, and one more
     SampleGuard guard_;
     GuardCounts counts_;
 };

@@ -48,6 +48,8 @@ public:
     const StepReport& report() const override { return report_; }
     const std::vector<int>& body_of_vertex() const override { return problem_.body_of_vertex; }
     bool uses_threads() const override { return true; }
+    bool takes_planes() const override { return true; }
+    void set_planes(std::span<const PointPlane> planes) override { contact_.set_planes(planes); }
     std::size_t state_bytes() const override;
 
 private:
@@ -222,6 +224,7 @@ void FastSolver::advance(std::span<const Pose> from, std::span<const Pose> to) {
     if (team_.size() > 1)
         choice_.record(std::chrono::duration<double>(Clock::now() - start).count());
     sum_reports();
+    contact_.set_planes({});
 }
 
 void FastSolver::sweep(const ConstraintSet& set) {
@@ -390,6 +393,7 @@ void FastSolver::run_frame(int thread, int threads, std::span<const Pose> to) {
             kernels_.finish(arrays(), range.begin, range.end, contact_.steps(k), settings, contact_sums_[c],
                             contact_.step_travel(c));
             contact_.guard(arrays(), range, k, contact_sums_[c]);
+            contact_.hold_planes(arrays(), c, k, contact_sums_[c]);
         });
         meet();
         stage(contact_stage);

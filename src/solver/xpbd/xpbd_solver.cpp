@@ -9,6 +9,7 @@
 #include "solver/constraints/volume.hpp"
 #include "solver/contact/contact_setup.hpp"
 #include "solver/contact/grid_slope.hpp"
+#include "solver/contact/plane_contact.hpp"
 #include "solver/contact/sample_guard.hpp"
 #include "solver/fast/fast_solver.hpp"
 
@@ -27,6 +28,10 @@ public:
     explicit XpbdSolver(const SoftBodyProblem& problem);
     void advance(std::span<const Pose> from, std::span<const Pose> to) override;
     const Points& positions() const override { return x_; }
+    bool takes_planes() const override { return true; }
+    void set_planes(std::span<const PointPlane> planes) override {
+        planes_.assign(planes.begin(), planes.end());
+    }
     const StepReport& report() const override { return report_; }
     const std::vector<int>& body_of_vertex() const override { return problem_.body_of_vertex; }
     std::size_t state_bytes() const override;
@@ -34,7 +39,7 @@ public:
 private:
     void substep(std::span<const Pose> from, std::span<const Pose> to, double s0, double s1);
     void predict(double h);
-    void resolve_contacts();
+    void resolve_contacts(double share);
     void guard_samples(bool last);
     void update_velocities(double h);
 
@@ -54,6 +59,7 @@ private:
     class GuardedVertices;
     std::vector<ContactSolid> solids_, frame_solids_; ///< during the substep, during the frame
     Points frame_start_;
+    std::vector<PointPlane> planes_; ///< of this frame
     std::vector<ContactSample> samples_;
     std::vector<std::uint8_t> near_; ///< by sample: substeps to look at it in; found to be too near
     std::vector<std::uint8_t> found_;
@@ -120,6 +126,7 @@ void XpbdSolver::advance(std::span<const Pose> from, std::span<const Pose> to) {
     for (int k = 0; k < substeps_; ++k)
         substep(from, to, double(k) / substeps_, double(k + 1) / substeps_);
     set_guard_counts(report_, vertex_counts_, sample_counts_);
+    planes_.clear();
 }
 
 std::size_t XpbdSolver::state_bytes() const {
@@ -155,7 +162,7 @@ void XpbdSolver::substep(std::span<const Pose> from, std::span<const Pose> to, d
     stage("dihedrals");
     volume_.project(x_, inverse_mass_, contact_normals_);
     stage("volume");
-    resolve_contacts(); // last, so that no other constraint pushes a vertex back in
+    resolve_contacts(s1); // last, so that no other constraint pushes a vertex back in
     stage("contact");
     guard_samples(s1 == 1.0);
     stage("samples");
@@ -208,8 +215,8 @@ private:
     XpbdSolver& solver_;
 };
 
-void XpbdSolver::resolve_contacts() {
-    if (solids_.empty())
+void XpbdSolver::resolve_contacts(double share) {
+    if (solids_.empty() && planes_.empty())
         return;
     contact_normals_.resize(x_.size(), Vec3::Zero());
     parallel_for(problem_.threads, x_.size(), 1024, [&](std::size_t begin, std::size_t end) {
@@ -223,6 +230,9 @@ void XpbdSolver::resolve_contacts() {
     for (std::size_t i = 0; i < x_.size(); ++i)
         if (inverse_mass_[i] != 0.0 && x_[i].allFinite())
             guard_point(points, static_cast<int>(i), solids_, false, contact_, vertex_counts_);
+    for (const PointPlane& plane : planes_)
+        report_.contacts +=
+            hold_to_plane(plane, plane.vertex, share, points, solids_, contact_, vertex_counts_) ? 1 : 0;
     for (const ContactResult& result : touched_) {
         report_.contacts += result.touched ? 1 : 0;
         report_.unresolved += result.outside ? 0 : 1;
