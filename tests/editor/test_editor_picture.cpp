@@ -31,7 +31,7 @@ TEST_CASE("Golden: the whole editor", "[editor][golden]") {
     options.height = 800;
     test::check_golden(render_editor_picture(test::small_recording(), 20, options), "editor");
     options.dark = false;
-    options.strain = true;
+    options.colouring = view::Colouring::strain;
     test::check_golden(render_editor_picture(test::small_recording(41), 30, options), "editor_light_strain");
 }
 
