@@ -30,7 +30,7 @@ PenetrationMeasure::PenetrationMeasure(std::vector<std::shared_ptr<const SolidQu
 double PenetrationMeasure::depth(const SolidQuery& bone, Known& known, const Vec3& q) const {
     if (known.inside_at_rest || !q.allFinite())
         return 0.0;
-    if (known.still_outside(q))
+    if (known.still_outside(q) || bone.beyond_box(q))
         return 0.0;
     const double d = known.look(bone, q, far_);
     return known.inside ? d : 0.0;

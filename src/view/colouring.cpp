@@ -17,7 +17,7 @@ constexpr std::array<ColouringRow, 4> colouring_table{{
 }};
 
 constexpr std::array<ContactRow, 4> contact_table{{
-    {ContactState::free, "Free", {0.80f, 0.78f, 0.75f, 1.0f}},
+    {ContactState::free, "Free", {0.56f, 0.59f, 0.63f, 1.0f}},
     {ContactState::touching, "Touching", {0.90f, 0.62f, 0.00f, 1.0f}},
     {ContactState::inside, "Inside bone", {0.72f, 0.05f, 0.35f, 1.0f}},
     {ContactState::attached, "Attached", {0.00f, 0.45f, 0.70f, 1.0f}},

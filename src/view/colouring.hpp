@@ -32,7 +32,7 @@ ContactState contact_state(double distance_mm, bool attached);
 struct ContactRow {
     ContactState state;
     const char* label;
-    Rgba colour; ///< after Okabe & Ito 2008: told apart with any colour vision
+    Rgba colour; ///< after Okabe & Ito 2008: told apart with any colour vision, and from the ivory of bones
 };
 /// In the order of ContactState.
 std::span<const ContactRow> contact_rows();

@@ -167,9 +167,10 @@ TEST_CASE("Golden: distance to bone and contact", "[view][golden]") {
     for (const Colouring colouring : {Colouring::depth, Colouring::contact}) {
         ViewOptions options;
         options.colouring = colouring;
-        options.bone_opacity = 0.3f;
+        options.hidden_bones = {true}; // seen from below, through the floor
         DrawCache cache;
-        const Camera camera = picture_camera(subject, 1.6, options);
+        Camera camera = picture_camera(subject, 1.6, options);
+        camera.orbit_by(0, -0.9);
         check_golden(renderer.draw(build_draw_list(subject, options, camera.pose(1.6), cache), 320, 200),
                      std::string("scene_") + colouring_row(colouring).key);
     }
