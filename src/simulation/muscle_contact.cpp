@@ -1,7 +1,6 @@
 #include "simulation/muscle_contact.hpp"
 
 #include "fascicle/base/parallel.hpp"
-#include "fascicle/geometry/vertex_normals.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -27,11 +26,19 @@ struct SurfaceSide {
 };
 
 SurfaceSide side_of(const Vec3& x, const SurfacePoint& nearest, const std::vector<Tri>& triangles,
-                    const Points& normals, double rounding) {
-    const Tri& t = triangles[at(nearest.triangle)];
-    Vec3 n = Vec3::Zero();
-    for (std::size_t k = 0; k < 3; ++k)
-        n += nearest.weights[static_cast<Eigen::Index>(k)] * normals[at(t[k])];
+                    const MeshTopology& topology, const Points& points, double rounding) {
+    const auto area = [&](int triangle) {
+        const Tri& t = triangles[at(triangle)];
+        return (points[at(t[1])] - points[at(t[0])]).cross(points[at(t[2])] - points[at(t[0])]);
+    };
+    Vec3 n = Vec3::Zero(); // interpolated from those of the corners; only here are they needed
+    for (std::size_t k = 0; k < 3; ++k) {
+        const int corner = triangles[at(nearest.triangle)][k];
+        Vec3 sum = Vec3::Zero();
+        for (const int triangle : topology.vertex_triangles(corner))
+            sum += area(triangle);
+        n += nearest.weights[static_cast<Eigen::Index>(k)] * sum.normalized();
+    }
     const Vec3 away = x - nearest.point;
     const double distance = away.norm(), side = away.dot(n) < 0.0 ? -1.0 : 1.0;
     if (distance > rounding)
@@ -59,10 +66,16 @@ MuscleContact::MuscleContact(const Scene& scene, const PreparedScene& prepared) 
     reach_ = reach_mm / unit_mm;
     for (const PreparedMuscle& prepared_muscle : prepared.muscles) {
         const SoftBodyProblem& problem = prepared_muscle.problem;
-        Muscle muscle{problem.surface, problem.body_of_vertex, problem.carry_weights, {}, {}, {}, 0, 0};
+        Muscle muscle{problem.surface,
+                      problem.body_of_vertex,
+                      problem.carry_weights,
+                      MeshTopology(problem.surface->vertex_count(), problem.surface->triangles),
+                      {},
+                      {},
+                      0,
+                      false};
         muscle.tree = TriangleBvh(*problem.surface);
         muscle.last = problem.surface->positions;
-        muscle.normals = vertex_normals(muscle.last, problem.surface->triangles);
         muscles_.push_back(std::move(muscle));
     }
     planes_.resize(muscles_.size());
@@ -81,7 +94,7 @@ MuscleContact::MuscleContact(const Scene& scene, const PreparedScene& prepared) 
                 const SurfacePoint nearest = other.tree.closest(own.last[i], reach_);
                 if (nearest.triangle >= 0)
                     pair.least[i] = std::min(offset_, side_of(own.last[i], nearest, other.surface->triangles,
-                                                              other.normals, 1e-6 * near_)
+                                                              other.topology, other.last, 1e-6 * near_)
                                                           .distance);
             }
             pairs_.push_back(std::move(pair));
@@ -116,7 +129,6 @@ void MuscleContact::find_planes(Pair& pair, std::span<const Pose> from, std::spa
         return;
     if (other.stale) { // one fit serves all that look at it
         other.tree.refit(other.last);
-        other.normals = vertex_normals(other.last, other.surface->triangles);
         other.stale = false;
     }
     found_.resize(count);
@@ -133,7 +145,7 @@ void MuscleContact::find_planes(Pair& pair, std::span<const Pose> from, std::spa
             }
             pair.hint[i] = nearest.triangle;
             const SurfaceSide side =
-                side_of(x, nearest, other.surface->triangles, other.normals, 1e-6 * near_);
+                side_of(x, nearest, other.surface->triangles, other.topology, other.last, 1e-6 * near_);
             pair.slack[i] = std::abs(side.distance) - near_;
             if (pair.slack[i] >= 0.0 || side.normal.isZero(0.0))
                 continue;

@@ -5,6 +5,7 @@
 // point, with planes of a frame instead of point-triangle pairs.
 
 #include "fascicle/geometry/bvh.hpp"
+#include "fascicle/geometry/mesh_topology.hpp"
 #include "fascicle/scene/scene.hpp"
 #include "fascicle/simulation/prepare.hpp"
 
@@ -28,8 +29,8 @@ private:
         MeshPtr surface;
         std::vector<int> body_of_vertex;
         std::vector<double> carry;
+        MeshTopology topology;
         TriangleBvh tree;
-        Points normals;     ///< of the tree's surface
         Points last;        ///< where it is
         double travel = 0;  ///< the furthest that a vertex has moved since the call before
         bool stale = false; ///< the tree is that of an earlier call
