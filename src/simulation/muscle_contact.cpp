@@ -155,8 +155,16 @@ void MuscleContact::find_planes(Pair& pair, std::span<const Pose> from, std::spa
             for (std::size_t k = 0; k < 3; ++k)
                 shift += nearest.weights[static_cast<Eigen::Index>(k)] *
                          carried(other, t[k], nearest.point, from, to);
-            found_[i] = {static_cast<int>(i), nearest.point, nearest.point + 0.5 * shift, side.normal,
-                         pair.least[i]};
+            // What is too near is mended by half, the other side does the rest, and over the whole frame: all at once it would be
+            // a blow, and each would fly off to where the other has just been.
+            const double least = pair.least[i],
+                         wanted = side.distance < least ? 0.5 * (side.distance + least) : least;
+            found_[i] = {static_cast<int>(i),
+                         nearest.point,
+                         nearest.point + 0.5 * shift,
+                         side.normal,
+                         std::min(side.distance, wanted),
+                         wanted};
         }
     });
     std::vector<PointPlane>& planes = planes_[pair.muscle];

@@ -53,6 +53,11 @@ StepReport SceneSolver::report() const {
         total.contacts += part.contacts;
         total.unresolved += part.unresolved;
         total.non_finite += part.non_finite;
+        total.slid += part.slid;
+        total.ejected += part.ejected;
+        total.impossible += part.impossible;
+        total.samples_pushed += part.samples_pushed;
+        total.samples_held += part.samples_held;
         for (const auto& [stage, seconds] : part.stage_seconds)
             total.stage_seconds[stage] += seconds;
     }

@@ -34,9 +34,23 @@ public:
             solve_frame(frame);
         }
         control_.checkpoint("solve", 1.0);
+        note_contact();
     }
 
 private:
+    /// What the bones asked for that had no plain answer.
+    void note_contact() {
+        if (first_ejected_ >= 0)
+            recording_.add_note("contact: a place outside of all bones had to be searched for " +
+                                std::to_string(before_.ejected) +
+                                " vertices (summed over substeps), first in frame " +
+                                std::to_string(first_ejected_));
+        if (first_impossible_ >= 0)
+            recording_.add_note("contact: from frame " + std::to_string(first_impossible_) +
+                                " on the bones leave some vertices no place outside of all of them: the "
+                                "motion is not possible as it is");
+    }
+
     void solve_frame(int frame) {
         const std::vector<Pose> from = bone_poses(scene_, frame - 1), to = bone_poses(scene_, frame);
         const auto start = Clock::now();
@@ -57,6 +71,13 @@ private:
         report.contacts = total.contacts - before_.contacts;
         report.unresolved = total.unresolved - before_.unresolved;
         report.non_finite = total.non_finite - before_.non_finite;
+        report.ejected = total.ejected - before_.ejected;
+        report.impossible = total.impossible - before_.impossible;
+        report.samples_held = total.samples_held - before_.samples_held;
+        if (report.ejected > 0 && first_ejected_ < 0)
+            first_ejected_ = index;
+        if (report.impossible > 0 && first_impossible_ < 0)
+            first_impossible_ = index;
         for (const auto& [stage, seconds] : total.stage_seconds)
             report.stage_seconds[stage] = seconds - before_.stage_seconds[stage];
         before_ = std::move(total);
@@ -94,6 +115,7 @@ private:
     const JobControl& control_;
     std::unique_ptr<SceneSolver> solver_;
     StepReport before_;
+    int first_ejected_ = -1, first_impossible_ = -1; ///< frames
 };
 
 } // namespace

@@ -209,7 +209,7 @@ TEST_CASE(
     const auto pick = [&](std::initializer_list<double> values) {
         return *(values.begin() + std::uniform_int_distribution<std::size_t>(0, values.size() - 1)(random));
     };
-    for (int run = 0; run < 60; ++run) {
+    for (int run = 0; run < 200; ++run) {
         Press press(3, -7.0);
         ParamSet& p = press.problem.parameters;
         const int substeps = static_cast<int>(pick({1, 3, 10}));
@@ -228,7 +228,7 @@ TEST_CASE(
                     << " s, friction " << p.get("contact.friction"));
         const auto solver = make_fast_solver(press.problem);
         REQUIRE(solver);
-        for (int f = 0; f < 25; ++f) {
+        for (int f = 0; f < 15; ++f) {
             press.step();
             press.advance(*solver);
             press.next();
@@ -239,7 +239,22 @@ TEST_CASE(
         for (const Vec3& x : solver->positions()) {
             finite = finite && x.allFinite();
             for (std::size_t b = 0; b < 2; ++b)
-                inside += press.problem.solids[b].grid->value(press.to[b].apply_inverse(x)) < -0.01;
+                inside += press.problem.solids[b].grid->value(press.to[b].apply_inverse(x)) < -1e-4;
+        }
+        const auto& triangles = press.problem.surface->triangles;
+        const double volume = signed_volume(solver->positions(), triangles);
+        CHECK(std::isfinite(volume));
+        for (const Tri& t : triangles) {
+            if (press.problem.body_of_vertex[std::size_t(t[0])] >= 0 ||
+                press.problem.body_of_vertex[std::size_t(t[1])] >= 0 ||
+                press.problem.body_of_vertex[std::size_t(t[2])] >= 0)
+                continue;
+            const Vec3 centroid =
+                (solver->positions()[std::size_t(t[0])] + solver->positions()[std::size_t(t[1])] +
+                 solver->positions()[std::size_t(t[2])]) /
+                3.0;
+            for (std::size_t b = 0; b < 2; ++b)
+                inside += press.problem.solids[b].grid->value(press.to[b].apply_inverse(centroid)) < -1e-4;
         }
         CHECK(finite);
         CHECK(inside == 0);

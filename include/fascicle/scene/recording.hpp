@@ -19,6 +19,10 @@ struct FrameReport {
     std::int64_t contacts = 0;                   ///< contact projections that moved a vertex
     std::int64_t unresolved = 0;                 ///< vertices that contact could not put outside
     std::int64_t non_finite = 0; ///< vertices whose new position was not finite and was refused
+    std::int64_t ejected = 0;    ///< vertices that had to be searched a place outside of all bones
+    std::int64_t impossible = 0; ///< vertices for which there was none
+    std::int64_t samples_held =
+        0; ///< points on faces and edges left inside, held by an attachment or another bone
 };
 
 /// One frame of a run. muscle_positions: one array per muscle, vertices in the order of its mesh.

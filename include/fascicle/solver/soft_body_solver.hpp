@@ -38,13 +38,13 @@ struct SoftBodyProblem {
     double unit_mm = 1.0;
 };
 
-/// A half-space that a vertex must stay in during one frame: (x - p(s)) . normal >= least, p(s) = from + s (to - from), s the
-/// share of the frame. normal: unit.
+/// A half-space that a vertex must stay in during one frame: (x - p(s)) . normal >= least(s), s the share of the frame; p goes evenly
+/// from `from` to `to`, least from least_from to least_to. normal: unit.
 struct PointPlane {
     int vertex = -1;
     Vec3 from = Vec3::Zero(), to = Vec3::Zero();
     Vec3 normal = Vec3::Zero();
-    double least = 0;
+    double least_from = 0, least_to = 0;
 };
 
 /// Running totals since the start, and seconds per stage.

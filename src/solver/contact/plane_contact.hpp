@@ -6,8 +6,9 @@
 namespace fascicle::solver {
 
 /// Puts the plane's point, if it is free and on the wrong side at the given share of the frame, back to the plane, unless a solid
-/// is in the way: solids come first. point: as the guarded points number it. Whether it was moved.
-bool hold_to_plane(const PointPlane& plane, int point, double share, GuardedPoints& points,
+/// is in the way: solids come first. It goes on along the plane as it did, and with the plane's own speed across it: it does not
+/// bounce. point: as the guarded points number it. substep: 0, 1, ... of `substeps`. Whether it was moved.
+bool hold_to_plane(const PointPlane& plane, int point, int substep, int substeps, GuardedPoints& points,
                    std::span<const ContactSolid> solids, const ContactSettings& settings,
                    GuardCounts& counts);
 

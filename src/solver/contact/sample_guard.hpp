@@ -20,6 +20,9 @@ public:
     virtual Vec3 before(int point) const = 0; ///< at the start of the substep
     virtual Vec3 at_frame_start(int point) const = 0;
     virtual bool is_free(int point) const = 0;
+    /// How far its velocity takes it in a substep, and a new value of that.
+    virtual Vec3 way(int point) const = 0;
+    virtual void set_way(int point, const Vec3& way) = 0;
     /// normal: of the solid that pushed it, unit, or zero. stopped: it moves on without a velocity of its own.
     virtual void put(int point, const Vec3& x, const Vec3& normal, bool stopped) = 0;
 };

@@ -56,6 +56,19 @@ public:
     bool is_free(int point) const override {
         return v_.records[4 * static_cast<std::size_t>(point) + 3] > 0.0f;
     }
+    Vec3 way(int point) const override {
+        const auto& carried = group(point).carried;
+        const float* r = v_.records + 4 * static_cast<std::size_t>(point);
+        const std::size_t i = lane(point);
+        return Vec3(static_cast<double>(r[0] - carried[0][i]), static_cast<double>(r[1] - carried[1][i]),
+                    static_cast<double>(r[2] - carried[2][i]));
+    }
+    void set_way(int point, const Vec3& way) override {
+        const float* r = v_.records + 4 * static_cast<std::size_t>(point);
+        for (std::size_t k = 0; k < 3; ++k)
+            group(point).carried[k][lane(point)] =
+                r[k] - static_cast<float>(way[static_cast<Eigen::Index>(k)]);
+    }
     void put(int point, const Vec3& x, const Vec3& normal, bool stopped) override {
         const Vec3 relative = x - contact_.plan_.origin;
         const auto moved = static_cast<float>((x - now(point)).norm());
@@ -269,10 +282,9 @@ void FastContact::hold_planes(const VertexArrays& v, std::size_t chunk, int subs
         return;
     Records records(*this, v, solids_at(substep));
     GuardCounts counts;
-    const double share = static_cast<double>(substep + 1) / substeps_;
     for (std::size_t i = first_plane_[chunk]; i < first_plane_[chunk + 1]; ++i)
-        sums.contacts += hold_to_plane(planes_[i], planes_[i].vertex, share, records, solids_at(substep),
-                                       settings_, counts)
+        sums.contacts += hold_to_plane(planes_[i], planes_[i].vertex, substep, substeps_, records,
+                                       solids_at(substep), settings_, counts)
                              ? 1
                              : 0;
     sums.slid += counts.slid;

@@ -28,7 +28,7 @@ std::size_t check_samples(const float* records, const SamplePacket* packets, std
             if (left > 0.0f)
                 continue;
             const V limit = L::splat(b == e.near_solid ? e.limit : s.least);
-            float least = solids[b].saturation;
+            V least = L::splat(solids[b].saturation);
             for (std::size_t q = 0; q < packet; q += L::width) {
                 V p[4] = {L::splat(0.0f), L::splat(0.0f), L::splat(0.0f), L::splat(0.0f)}, r[4];
                 for (std::size_t k = 0; k < 3; ++k) {
@@ -44,10 +44,11 @@ std::size_t check_samples(const float* records, const SamplePacket* packets, std
                                gradient);
                 const V room = (value - limit) * L::splat(solids[b].per_slope);
                 mask |= L::mask_bits(~(room >= L::splat(0.0f))) << q; // NaN too
-                for (int i = 0; i < L::width; ++i)
-                    least = room[i] < least ? room[i] : least;
+                least = room < least ? room : least;
             }
-            left = least;
+            left = solids[b].saturation;
+            for (int i = 0; i < L::width; ++i)
+                left = least[i] < left ? least[i] : left;
         }
         mask &= (1u << e.count) - 1u;
         violations[n] = static_cast<std::uint16_t>(mask);

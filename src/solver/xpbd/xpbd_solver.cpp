@@ -37,9 +37,9 @@ public:
     std::size_t state_bytes() const override;
 
 private:
-    void substep(std::span<const Pose> from, std::span<const Pose> to, double s0, double s1);
+    void substep(std::span<const Pose> from, std::span<const Pose> to, int k);
     void predict(double h);
-    void resolve_contacts(double share);
+    void resolve_contacts(int substep);
     void guard_samples(bool last);
     void update_velocities(double h);
 
@@ -124,7 +124,7 @@ void XpbdSolver::advance(std::span<const Pose> from, std::span<const Pose> to) {
         frame_solids_[b].now = to[b];
     }
     for (int k = 0; k < substeps_; ++k)
-        substep(from, to, double(k) / substeps_, double(k + 1) / substeps_);
+        substep(from, to, k);
     set_guard_counts(report_, vertex_counts_, sample_counts_);
     planes_.clear();
 }
@@ -137,7 +137,8 @@ std::size_t XpbdSolver::state_bytes() const {
            guard_.bytes();
 }
 
-void XpbdSolver::substep(std::span<const Pose> from, std::span<const Pose> to, double s0, double s1) {
+void XpbdSolver::substep(std::span<const Pose> from, std::span<const Pose> to, int k) {
+    const double s0 = double(k) / substeps_, s1 = double(k + 1) / substeps_;
     const double h = frame_time_ / substeps_;
     for (std::size_t b = 0; b < solids_.size(); ++b) {
         solids_[b].before = screw_between(from[b], to[b], s0);
@@ -162,9 +163,9 @@ void XpbdSolver::substep(std::span<const Pose> from, std::span<const Pose> to, d
     stage("dihedrals");
     volume_.project(x_, inverse_mass_, contact_normals_);
     stage("volume");
-    resolve_contacts(s1); // last, so that no other constraint pushes a vertex back in
+    resolve_contacts(k); // last, so that no other constraint pushes a vertex back in
     stage("contact");
-    guard_samples(s1 == 1.0);
+    guard_samples(k + 1 == substeps_);
     stage("samples");
     update_velocities(h);
     stage("velocity");
@@ -202,6 +203,12 @@ public:
     Vec3 before(int point) const override { return solver_.before_[at(point)]; }
     Vec3 at_frame_start(int point) const override { return solver_.frame_start_[at(point)]; }
     bool is_free(int point) const override { return solver_.inverse_mass_[at(point)] != 0.0; }
+    Vec3 way(int point) const override {
+        return solver_.x_[at(point)] - solver_.before_[at(point)] - solver_.carried_[at(point)];
+    }
+    void set_way(int point, const Vec3& way) override {
+        solver_.carried_[at(point)] = solver_.x_[at(point)] - solver_.before_[at(point)] - way;
+    }
     void put(int point, const Vec3& x, const Vec3& normal, bool stopped) override {
         solver_.x_[at(point)] = x;
         if (!normal.isZero(0.0))
@@ -215,7 +222,7 @@ private:
     XpbdSolver& solver_;
 };
 
-void XpbdSolver::resolve_contacts(double share) {
+void XpbdSolver::resolve_contacts(int substep) {
     if (solids_.empty() && planes_.empty())
         return;
     contact_normals_.resize(x_.size(), Vec3::Zero());
@@ -232,7 +239,9 @@ void XpbdSolver::resolve_contacts(double share) {
             guard_point(points, static_cast<int>(i), solids_, false, contact_, vertex_counts_);
     for (const PointPlane& plane : planes_)
         report_.contacts +=
-            hold_to_plane(plane, plane.vertex, share, points, solids_, contact_, vertex_counts_) ? 1 : 0;
+            hold_to_plane(plane, plane.vertex, substep, substeps_, points, solids_, contact_, vertex_counts_)
+                ? 1
+                : 0;
     for (const ContactResult& result : touched_) {
         report_.contacts += result.touched ? 1 : 0;
         report_.unresolved += result.outside ? 0 : 1;
