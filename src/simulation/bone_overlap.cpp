@@ -183,9 +183,13 @@ std::string overlap_note(const Scene& scene, const BoneOverlap& overlap) {
     const auto name = [&](int bone) { return scene.bones[static_cast<std::size_t>(bone)].name; };
     char depth[32];
     std::snprintf(depth, sizeof depth, "%.2f mm", overlap.depth * millimetres_per_unit(scene.unit));
-    return name(overlap.a) + " and " + name(overlap.b) + " overlap by " + depth + " at frame " +
-           std::to_string(overlap.frame) + " (largest), from frame " + std::to_string(overlap.first_frame) +
-           " on: where bones overlap no muscle can lie outside of both";
+    const std::string first =
+        overlap.first_frame == 0 ? "rest" : "frame " + std::to_string(overlap.first_frame);
+    const std::string when = overlap.frame == 0 ? std::string(" at rest")
+                                                : " at frame " + std::to_string(overlap.frame) +
+                                                      " (largest), from " + first + " on";
+    return name(overlap.a) + " and " + name(overlap.b) + " overlap by " + depth + when +
+           ": where bones overlap no muscle can lie outside of both";
 }
 
 } // namespace fascicle

@@ -91,9 +91,17 @@ TEST_CASE("two boxes that overlap at rest, by a known depth", "[simulation][bone
 
     Scene scene;
     scene.bones = {{"pelvis", nullptr, {}}, {"femur", nullptr, {}}};
-    CHECK(overlap_note(scene, found[0]) ==
-          "pelvis and femur overlap by 0.75 mm at frame 0 (largest), from frame 0 on: "
-          "where bones overlap no muscle can lie outside of both");
+    const std::string end = ": where bones overlap no muscle can lie outside of both";
+    CHECK(overlap_note(scene, found[0]) == "pelvis and femur overlap by 0.75 mm at rest" + end);
+    BoneOverlap later = found[0];
+    later.frame = 100;
+    CHECK(overlap_note(scene, later) ==
+          "pelvis and femur overlap by 0.75 mm at frame 100 (largest), from rest on" + end);
+    later.first_frame = 63;
+    scene.unit = LengthUnit::metre;
+    later.depth = 0.00074;
+    CHECK(overlap_note(scene, later) ==
+          "pelvis and femur overlap by 0.74 mm at frame 100 (largest), from frame 63 on" + end);
 }
 
 TEST_CASE("a box that is moved into another and back", "[simulation][bone_overlap]") {
