@@ -2,6 +2,7 @@
 
 #include "editor/dialogs/mesh_dialog.hpp"
 #include "editor/dialogs/picture_dialog.hpp"
+#include "editor/fly_to_worst.hpp"
 #include "fascicle/document/actions/scene_actions.hpp"
 
 #include <algorithm>
@@ -155,6 +156,9 @@ CommandState command_state(const EditorContext& context, Command command) {
         return only_if(context.runs.available_count() > 0 || context.runs.running(), "no frames yet");
     case C::show_all:
         return only_if(!state.hidden.empty(), "everything is visible");
+    case C::fly_to_worst:
+        return only_if(!context.shown_scene().muscles.empty() && !context.shown_scene().bones.empty(),
+                       "the scene needs a muscle and a bone");
     case C::run_again:
         return only_if(!context.document.scene().muscles.empty(), "the scene has no muscle");
     case C::cancel_run:
@@ -241,6 +245,8 @@ void run_command(EditorContext& context, Command command) {
         return state.camera.frame(object_bounds(context, state.selection), state.view_aspect);
     case C::frame_all:
         return state.camera.frame(scene_bounds(context), state.view_aspect);
+    case C::fly_to_worst:
+        return fly_to_worst(context);
     case C::view_anterior:
         return look(context, StandardView::anterior);
     case C::view_posterior:
@@ -296,7 +302,8 @@ void run_command(EditorContext& context, Command command) {
         state.joint_axis = !state.joint_axis;
         return;
     case C::next_colouring:
-        state.colouring = static_cast<Colouring>((static_cast<int>(state.colouring) + 1) % colouring_count);
+        state.colouring = static_cast<view::Colouring>((static_cast<std::size_t>(state.colouring) + 1) %
+                                                       view::colourings().size());
         return;
     case C::toggle_full_screen:
         state.wants_full_screen = !state.wants_full_screen;

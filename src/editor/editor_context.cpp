@@ -4,16 +4,6 @@
 
 namespace fascicle::editor {
 
-const char* to_text(Colouring colouring) {
-    switch (colouring) {
-    case Colouring::anatomy:
-        return "Anatomy";
-    case Colouring::strain:
-        return "Edge extension";
-    }
-    return "";
-}
-
 const Scene& EditorContext::shown_scene() const {
     const ShownFrame frame = shown();
     return frame.recording == nullptr ? document.scene() : frame.recording->scene();

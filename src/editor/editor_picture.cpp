@@ -19,7 +19,7 @@ render::Image render_editor_picture(RecordingPtr recording, int frame, const Edi
     editor.use_gl();
     editor.show(std::move(recording));
     editor.state().playback.position = frame;
-    editor.state().colouring = options.strain ? Colouring::strain : Colouring::anatomy;
+    editor.state().colouring = options.colouring;
     const render::OffscreenTarget target(options.width, options.height);
     const auto draw = [&] {
         editor.apply_look();

@@ -4,6 +4,7 @@
 #include "fascicle/base/job_control.hpp"
 #include "fascicle/scene/recording.hpp"
 #include "render/draw_list.hpp"
+#include "view/colouring.hpp"
 
 namespace fascicle::editor {
 
@@ -11,7 +12,7 @@ struct EditorPictureOptions {
     int width = 1280, height = 800; ///< pixels
     float scale = 1;                ///< of the interface
     bool dark = true;
-    bool strain = false; ///< muscles coloured by edge extension
+    view::Colouring colouring = view::Colouring::anatomy; ///< of muscles
 };
 
 /// The editor with a recording and its playhead at `frame` (the last one there is, when that is not computed). Every

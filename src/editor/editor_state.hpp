@@ -5,6 +5,7 @@
 #include "editor/layout.hpp"
 #include "editor/widgets/plot.hpp"
 #include "view/camera.hpp"
+#include "view/colouring.hpp"
 
 #include <array>
 #include <filesystem>
@@ -21,11 +22,6 @@ struct Selection {
     std::string name;
     bool operator==(const Selection&) const = default;
 };
-
-/// What muscles are coloured by.
-enum class Colouring { anatomy, strain };
-inline constexpr int colouring_count = 2;
-const char* to_text(Colouring colouring);
 
 /// What the ruler and the plots' axes show at a frame.
 enum class RulerUnit { frame, seconds, angle };
@@ -54,7 +50,7 @@ struct EditorState {
     double plot_range_for = 0; ///< last frame that plot_range was made for
     std::set<std::string> hidden_curves;
 
-    Colouring colouring = Colouring::anatomy;
+    view::Colouring colouring = view::Colouring::anatomy; ///< what muscles are coloured by
     bool wireframe = false;
     bool attachments = true;
     bool rest_ghost = false; ///< muscles at rest, faint

@@ -31,6 +31,7 @@ enum class Command {
     cancel_run,
     frame_selection,
     frame_all,
+    fly_to_worst,
     view_anterior,
     view_posterior,
     view_left,

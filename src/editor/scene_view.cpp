@@ -39,7 +39,7 @@ view::ViewOptions view_options(const EditorContext& context, const Scene& scene)
     for (const Muscle& muscle : scene.muscles)
         options.hidden_muscles.push_back(!state.visible(muscle.name));
     options.attachments = state.attachments;
-    options.strain = state.colouring == Colouring::strain;
+    options.colouring = state.colouring;
     options.wireframe = state.wireframe;
     options.rest_ghost = state.rest_ghost;
     options.joint_axis = state.joint_axis;

@@ -21,10 +21,7 @@ SolidQuery::SolidQuery(const TriMesh& mesh) : bvh_(mesh), winding_(mesh) {
 }
 
 bool SolidQuery::inside(const Vec3& p) const {
-    // The winding number of a closed surface vanishes outside of its box, exactly.
-    if (closed() && !((p.array() >= low_.array()).all() && (p.array() <= high_.array()).all()))
-        return false;
-    return winding_.inside(p);
+    return !beyond_box(p) && winding_.inside(p);
 }
 
 double SolidQuery::clear_radius(const Vec3& p, double distance) const {

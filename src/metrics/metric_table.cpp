@@ -26,7 +26,7 @@ std::vector<MetricRow> make_rows() {
         [](M m) { return m.dihedrals().mean_rad; });
     add("penetrating_vertices", "Penetrating vertices", "1",
         "Vertices deeper than 0.1 mm inside a bone that they were not inside of at rest.",
-        [](M m) { return static_cast<double>(m.penetration().vertices); });
+        [](M m) { return static_cast<double>(m.penetration().count); });
     add("penetration_max_mm", "Penetration, greatest depth", "mm",
         "Depth of the deepest vertex inside a bone that it was not inside of at rest.",
         [](M m) { return m.penetration().max_mm; });
@@ -88,6 +88,22 @@ std::vector<MetricRow> make_rows() {
         [](M m) { return static_cast<double>(m.report().non_finite); });
     add("solve_ms", "Solving time", "ms", "Time of solving the frame, all muscles.",
         [](M m) { return 1000.0 * m.report().solve_seconds; });
+    // After all earlier columns, so that these keep their places.
+    add("penetrating_centroids", "Penetrating triangles", "1",
+        "Triangles whose centroid is deeper than 0.1 mm inside a bone that it was not inside of at rest.",
+        [](M m) { return static_cast<double>(m.centroid_penetration().count); });
+    add("centroid_penetration_max_mm", "Penetration of triangles, greatest depth", "mm",
+        "Depth of the deepest centroid of a triangle inside a bone that it was not inside of at rest.",
+        [](M m) { return m.centroid_penetration().max_mm; });
+    add("penetrating_midpoints", "Penetrating edges", "1",
+        "Edges whose middle is deeper than 0.1 mm inside a bone that it was not inside of at rest.",
+        [](M m) { return static_cast<double>(m.midpoint_penetration().count); });
+    add("midpoint_penetration_max_mm", "Penetration of edges, greatest depth", "mm",
+        "Depth of the deepest middle of an edge inside a bone that it was not inside of at rest.",
+        [](M m) { return m.midpoint_penetration().max_mm; });
+    add("muscle_overlap_mm", "Overlap with other muscles", "mm",
+        "Largest depth of a vertex inside another muscle beyond its depth there at rest.",
+        [](M m) { return m.overlap_mm(); });
     return rows;
 }
 

@@ -1,15 +1,17 @@
 #include "fascicle/base/assert.hpp"
 #include "fascicle/metrics/metric_table.hpp"
 #include "fascicle/metrics/muscle_measure.hpp"
+#include "fascicle/metrics/muscle_overlap.hpp"
 
 namespace fascicle {
 
 struct MetricsEngine::Impl {
     ScenePtr scene;
     std::vector<MuscleMeasure> muscles;
+    MuscleOverlapMeasure overlap;
 
     Impl(ScenePtr of, const Frame& rest, const std::vector<std::vector<Attachment>>* attachments, int threads)
-        : scene(std::move(of)) {
+        : scene(std::move(of)), overlap(scene, rest, threads) {
         const auto bones = bone_solids(*scene);
         muscles.reserve(scene->muscles.size());
         for (std::size_t m = 0; m < scene->muscles.size(); ++m) {
@@ -46,8 +48,10 @@ MetricsEngine::~MetricsEngine() = default;
 
 std::vector<std::vector<double>> MetricsEngine::measure(const Frame& frame) {
     std::vector<std::vector<double>> values;
-    for (MuscleMeasure& muscle : impl_->muscles) {
-        muscle.measure(frame);
+    const std::vector<double> overlaps = impl_->overlap.measure(frame);
+    for (std::size_t m = 0; m < impl_->muscles.size(); ++m) {
+        MuscleMeasure& muscle = impl_->muscles[m];
+        muscle.measure(frame, overlaps[m]);
         std::vector<double>& row = values.emplace_back();
         for (const MetricRow& metric : metric_table())
             row.push_back(metric.value(muscle));

@@ -2,6 +2,7 @@
 
 #include "fascicle/base/assert.hpp"
 #include "fascicle/geometry/volume.hpp"
+#include "fascicle/metrics/surface_samples.hpp"
 
 #include <cmath>
 #include <limits>
@@ -16,6 +17,18 @@ PointsPtr positions(const Scene& scene, int muscle, const Frame& frame) {
     const PointsPtr points = frame.muscle_positions[m];
     FASCICLE_ASSERT(points != nullptr && points->size() == scene.muscles[m].mesh->positions.size());
     return points;
+}
+
+Points centroids_of(const Points& points, const std::vector<Tri>& triangles) {
+    Points result;
+    face_centroids(points, triangles, result);
+    return result;
+}
+
+Points midpoints_of(const Points& points, const std::vector<Edge>& edges) {
+    Points result;
+    edge_midpoints(points, edges, result);
+    return result;
 }
 
 } // namespace
@@ -36,11 +49,15 @@ MuscleMeasure::MuscleMeasure(const Scene& scene, int muscle, const Frame& rest,
       attachments_(std::move(attachments)), rest_volume_(signed_volume(*rest_, mesh_->triangles)),
       topology_(mesh_->vertex_count(), mesh_->triangles), edge_measure_(topology_.edges(), *rest_),
       dihedral_measure_(topology_.dihedrals(), *rest_), rest_distance_measure_(mesh_->triangles, *rest_),
-      penetration_measure_(std::move(bones), millimetres_per_unit_, *rest_, rest_poses_, threads) {
+      penetration_measure_(bones, millimetres_per_unit_, *rest_, rest_poses_, threads),
+      centroid_measure_(bones, millimetres_per_unit_, centroids_of(*rest_, mesh_->triangles), rest_poses_,
+                        threads),
+      midpoint_measure_(bones, millimetres_per_unit_, midpoints_of(*rest_, topology_.edges()), rest_poses_,
+                        threads) {
     measure(rest);
 }
 
-void MuscleMeasure::measure(const Frame& frame) {
+void MuscleMeasure::measure(const Frame& frame, double overlap_mm) {
     points_ = frame.muscle_positions.at(static_cast<std::size_t>(muscle_));
     FASCICLE_ASSERT(points_ != nullptr && points_->size() == rest_->size());
     report_ = frame.report;
@@ -50,6 +67,11 @@ void MuscleMeasure::measure(const Frame& frame) {
     dihedrals_ = dihedral_measure_.measure(*points_);
     rest_distance_ = rest_distance_measure_.measure(*points_);
     penetration_ = penetration_measure_.measure(*points_, frame.bone_poses);
+    face_centroids(*points_, mesh_->triangles, samples_);
+    centroid_penetration_ = centroid_measure_.measure(samples_, frame.bone_poses);
+    edge_midpoints(*points_, topology_.edges(), samples_);
+    midpoint_penetration_ = midpoint_measure_.measure(samples_, frame.bone_poses);
+    overlap_mm_ = overlap_mm;
     drift_mm_ = drift(frame);
 }
 

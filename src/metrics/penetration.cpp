@@ -30,19 +30,9 @@ PenetrationMeasure::PenetrationMeasure(std::vector<std::shared_ptr<const SolidQu
 double PenetrationMeasure::depth(const SolidQuery& bone, Known& known, const Vec3& q) const {
     if (known.inside_at_rest || !q.allFinite())
         return 0.0;
-    const double moved = (q - known.point).norm();
-    if (!known.inside && moved < known.radius)
+    if (known.still_outside(q) || bone.beyond_box(q))
         return 0.0;
-    const double d2 = bone.bvh().closest_squared_distance(q, far_, known.triangle);
-    const double d = d2 < far_ * far_ ? std::sqrt(d2) : far_;
-    // A little less than the radius: the two balls of a vertex pushed straight through a face touch, and
-    // rounding must not make them overlap.
-    const double rounding = 1e-9 * d + 1e-12 * q.lpNorm<Eigen::Infinity>();
-    const double radius = std::max(0.0, bone.clear_radius(q, d) - rounding);
-    if (known.radius < 0.0 || moved >= known.radius + radius)
-        known.inside = bone.inside(q);
-    known.point = q;
-    known.radius = radius;
+    const double d = known.look(bone, q, far_);
     return known.inside ? d : 0.0;
 }
 
@@ -59,7 +49,7 @@ Penetration PenetrationMeasure::measure(const Points& points, const std::vector<
     });
     Penetration result;
     for (const double d : depths_mm_) {
-        result.vertices += d > tolerance_mm;
+        result.count += d > tolerance_mm;
         result.max_mm = std::max(result.max_mm, d);
     }
     return result;

@@ -2,6 +2,7 @@
 
 #include "fascicle/base/assert.hpp"
 #include "fascicle/base/parallel.hpp"
+#include "simulation/muscle_contact.hpp"
 
 #include <algorithm>
 
@@ -25,9 +26,20 @@ SceneSolver::SceneSolver(const Scene& scene, const PreparedScene& prepared, int 
         solvers_.push_back(prepared.method->make(problem));
         side_by_side_ = side_by_side_ || !solvers_.back()->uses_threads();
     }
+    if (solvers_.size() > 1 && solvers_.front()->takes_planes())
+        contact_ = std::make_unique<MuscleContact>(scene, prepared);
+    for (const auto& solver : solvers_)
+        positions_.push_back(&solver->positions());
 }
 
+SceneSolver::~SceneSolver() = default;
+
 void SceneSolver::advance(std::span<const Pose> from, std::span<const Pose> to) {
+    if (contact_ != nullptr) {
+        const auto& planes = contact_->planes(positions_, from, to, threads_);
+        for (std::size_t m = 0; m < solvers_.size(); ++m)
+            solvers_[m]->set_planes(planes[m]);
+    }
     parallel_for(side_by_side_ ? threads_ : 1, solvers_.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t m = begin; m < end; ++m)
             solvers_[m]->advance(from, to);

@@ -35,6 +35,32 @@ const std::vector<Attachment>& attachments_of(const ViewSubject& subject, std::s
                                                : subject.scene->muscles[muscle].attachments;
 }
 
+/// Colours of the chosen quantity; null: the item's one colour.
+FloatColours muscle_colours(const ViewSubject& subject, const ViewOptions& options, DrawCache& cache,
+                            std::size_t i, const render::Rgba& base) {
+    const Scene& scene = *subject.scene;
+    const Muscle& muscle = scene.muscles[i];
+    const PointsPtr points = muscle_points(subject.frame, muscle, i);
+    const std::vector<Attachment>& attachments = attachments_of(subject, i);
+    const auto poses = [&] {
+        return subject.frame ? subject.frame->bone_poses : std::vector<Pose>(scene.bones.size());
+    };
+    switch (options.colouring) {
+    case Colouring::anatomy:
+        break;
+    case Colouring::strain:
+        return cache.extension_colours(i, muscle.mesh, muscle_points(subject.rest, muscle, i), points,
+                                       options.strain_scale);
+    case Colouring::depth:
+        return cache.depth_colours(scene, i, points, poses(), options.depth_scale);
+    case Colouring::contact:
+        return cache.contact_colours(scene, i, points, poses(), attachments);
+    }
+    if (options.attachments && !attachments.empty())
+        return cache.attachment_colours(i, muscle.mesh, attachments, base);
+    return nullptr;
+}
+
 render::Rgba brighter(render::Rgba colour) {
     for (std::size_t c = 0; c < 3; ++c)
         colour[c] += 0.35f * (1.0f - colour[c]);
@@ -85,12 +111,10 @@ void add_muscle(render::DrawList& list, const ViewSubject& subject, const ViewOp
     item.triangles = triangles;
     item.colour =
         static_cast<int>(i) == options.selected_muscle ? brighter(palette::muscle) : palette::muscle;
-    if (options.strain)
-        item.vertex_colours = cache.extension_colours(i, muscle.mesh, rest, points, options.strain_scale);
-    else if (options.attachments && !attachments.empty())
-        item.vertex_colours = cache.attachment_colours(i, muscle.mesh, attachments, item.colour);
+    item.vertex_colours = muscle_colours(subject, options, cache, i, item.colour);
     item.colour[3] = options.muscle_opacity;
-    item.gloss = options.strain ? 0.1f : 0.42f; // a highlight would hide the colour that is read as a number
+    // A highlight would hide the colour that is read as a number.
+    item.gloss = options.colouring == Colouring::anatomy ? 0.42f : 0.1f;
     item.wireframe = options.wireframe;
     list.surfaces.push_back(std::move(item));
 

@@ -2,6 +2,7 @@
 // The one function that turns a scene and a frame into what is drawn; viewport, pictures and tests all use it.
 
 #include "view/camera.hpp"
+#include "view/colouring.hpp"
 #include "view/draw_cache.hpp"
 
 namespace fascicle::view {
@@ -22,10 +23,14 @@ ViewSubject subject_of(const Recording& recording, int k);
 struct ViewOptions {
     /// By index of the scene's bones and muscles; missing entries are shown.
     std::vector<bool> hidden_bones, hidden_muscles;
-    bool attachments = true; ///< areas coloured and outlined; with strain colouring the outlines alone
-    bool strain = false;     ///< colour by mean edge extension
+    bool attachments =
+        true; ///< areas coloured and outlined; with another colouring than anatomy the outlines alone
+    Colouring colouring = Colouring::anatomy;
     /// Legend: strain_scale.colour(value) and legend_ticks(strain_scale).
     ColourScale strain_scale{ColourMap::diverging, 0.75, 1.25};
+    /// Signed distance to the nearest bone, mm: red inside, grey at the surface, blue away from it. Within
+    /// +-BoneDistanceCache::reach_mm.
+    ColourScale depth_scale{ColourMap::diverging, -1.0, 5.0, 0.0, true};
     bool joint_axis = true;
     bool rest_ghost = false; ///< muscles at rest, faint, behind those of a later frame
     bool wireframe = false;

@@ -74,7 +74,11 @@ Rgba map_colour(ColourMap map, double t) {
 Rgba ColourScale::colour(double value) const {
     if (!(high > low))
         return map_colour(map, 0.5);
-    return map_colour(map, (value - low) / (high - low));
+    double t = (value - low) / (high - low);
+    if (middle)
+        t = value < *middle ? 0.5 * (value - low) / (*middle - low)
+                            : 0.5 + 0.5 * (value - *middle) / (high - *middle);
+    return map_colour(map, reversed ? 1.0 - t : t);
 }
 
 std::vector<LegendTick> legend_ticks(const ColourScale& scale, int most) {

@@ -3,6 +3,7 @@
 
 #include "render/draw_list.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,12 +18,17 @@ enum class ColourMap { viridis, cividis, diverging };
 /// sRGB colour of t in [0, 1], alpha 1. Values outside take the end's colour; NaN is magenta, a colour of no map.
 Rgba map_colour(ColourMap map, double t);
 
-/// A range of values spread over a map: low at 0, high at 1.
+/// A range of values spread over a map: low at 0, high at 1. middle: the value at 0.5, strictly between the two, linear
+/// on both sides of it; nothing: half way. reversed: high at 0, low at 1.
 struct ColourScale {
     ColourMap map = ColourMap::diverging;
     double low = 0.75;
     double high = 1.25;
+    std::optional<double> middle = std::nullopt;
+    bool reversed = false;
+
     Rgba colour(double value) const;
+    bool operator==(const ColourScale&) const = default;
 };
 
 struct LegendTick {

@@ -2,6 +2,7 @@
 
 #include "fascicle/base/assert.hpp"
 #include "fascicle/geometry/vertex_normals.hpp"
+#include "view/colouring.hpp"
 #include "view/vertex_extension.hpp"
 
 namespace fascicle::view {
@@ -43,10 +44,6 @@ bool same(const std::vector<Attachment>& a, const std::vector<Attachment>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Attachment& x, const Attachment& y) {
         return x.kind == y.kind && x.bone == y.bone && x.vertices == y.vertices;
     });
-}
-
-bool same(const ColourScale& a, const ColourScale& b) {
-    return a.map == b.map && a.low == b.low && a.high == b.high;
 }
 
 } // namespace
@@ -150,6 +147,7 @@ void DrawCache::set_attachments(Object& object, const std::vector<Attachment>& a
     object.kind_colours = nullptr;
     object.border_colours = nullptr;
     object.border_for = nullptr;
+    object.contact_colours = nullptr;
     ++computed_;
 }
 
@@ -174,7 +172,7 @@ FloatColours DrawCache::extension_colours(std::size_t muscle, const MeshPtr& mes
                                           const PointsPtr& points, const ColourScale& scale) {
     Object& entry = object(muscles_, muscle, mesh);
     if (entry.extension_colours && entry.extension_rest == rest && entry.extension_points == points &&
-        same(entry.extension_scale, scale))
+        entry.extension_scale == scale)
         return entry.extension_colours;
     auto colours = std::make_shared<std::vector<render::Rgba>>();
     colours->reserve(points->size());
@@ -184,6 +182,43 @@ FloatColours DrawCache::extension_colours(std::size_t muscle, const MeshPtr& mes
     entry.extension_rest = rest;
     entry.extension_points = points;
     entry.extension_scale = scale;
+    ++computed_;
+    return colours;
+}
+
+FloatColours DrawCache::depth_colours(const Scene& scene, std::size_t muscle, const PointsPtr& points,
+                                      const std::vector<Pose>& poses, const ColourScale& scale) {
+    Object& entry = object(muscles_, muscle, scene.muscles[muscle].mesh);
+    const BoneDistances distances = distances_.distances(scene, muscle, points, poses);
+    if (entry.depth_colours && entry.depth_for == distances && entry.depth_scale == scale)
+        return entry.depth_colours;
+    auto colours = std::make_shared<std::vector<render::Rgba>>();
+    colours->reserve(distances->size());
+    for (const BoneDistance& distance : *distances)
+        colours->push_back(scale.colour(distance.mm));
+    entry.depth_colours = colours;
+    entry.depth_for = distances;
+    entry.depth_scale = scale;
+    ++computed_;
+    return colours;
+}
+
+FloatColours DrawCache::contact_colours(const Scene& scene, std::size_t muscle, const PointsPtr& points,
+                                        const std::vector<Pose>& poses,
+                                        const std::vector<Attachment>& attachments) {
+    Object& entry = object(muscles_, muscle, scene.muscles[muscle].mesh);
+    set_attachments(entry, attachments);
+    const BoneDistances distances = distances_.distances(scene, muscle, points, poses);
+    if (entry.contact_colours && entry.contact_for == distances)
+        return entry.contact_colours;
+    auto colours = std::make_shared<std::vector<render::Rgba>>();
+    colours->reserve(distances->size());
+    for (std::size_t v = 0; v < distances->size(); ++v) {
+        const ContactState state = contact_state((*distances)[v].mm, entry.kinds[v].has_value());
+        colours->push_back(contact_rows()[static_cast<std::size_t>(state)].colour);
+    }
+    entry.contact_colours = colours;
+    entry.contact_for = distances;
     ++computed_;
     return colours;
 }

@@ -6,6 +6,7 @@
 #include "fascicle/scene/recording.hpp"
 #include "render/draw_list.hpp"
 #include "view/attachment_marks.hpp"
+#include "view/bone_distance_cache.hpp"
 #include "view/colour_map.hpp"
 
 namespace fascicle::view {
@@ -39,6 +40,12 @@ public:
     /// Extension against rest through the scale.
     FloatColours extension_colours(std::size_t muscle, const MeshPtr& mesh, const PointsPtr& rest,
                                    const PointsPtr& points, const ColourScale& scale);
+    /// Signed distance to the nearest bone, mm, through the scale. poses: one per bone of the scene.
+    FloatColours depth_colours(const Scene& scene, std::size_t muscle, const PointsPtr& points,
+                               const std::vector<Pose>& poses, const ColourScale& scale);
+    /// The colour of each vertex's ContactState.
+    FloatColours contact_colours(const Scene& scene, std::size_t muscle, const PointsPtr& points,
+                                 const std::vector<Pose>& poses, const std::vector<Attachment>& attachments);
     BorderLines attachment_border(std::size_t muscle, const MeshPtr& mesh,
                                   const std::vector<Attachment>& attachments, const PointsPtr& points);
 
@@ -46,7 +53,7 @@ public:
     BoundingBox rest_bounds(const Scene& scene);
 
     /// How many arrays were computed so far: stays the same while nothing changes.
-    int computed() const { return computed_; }
+    int computed() const { return computed_ + distances_.computed(); }
 
 private:
     struct Object { // a bone, a muscle
@@ -68,6 +75,9 @@ private:
         FloatColours extension_colours;
         PointsPtr extension_rest, extension_points;
         ColourScale extension_scale;
+        FloatColours depth_colours, contact_colours;
+        BoneDistances depth_for, contact_for; ///< that the colours were made from
+        ColourScale depth_scale;
     };
     Object& object(std::vector<Object>& list, std::size_t index, const MeshPtr& mesh);
     const MeshTopology& topology(Object& object);
@@ -75,6 +85,7 @@ private:
     SurfaceArrays make_surface(const Points& points, const TriMesh& mesh);
 
     std::vector<Object> bones_, muscles_;
+    BoneDistanceCache distances_;
     int computed_ = 0;
 };
 

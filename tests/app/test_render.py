@@ -46,8 +46,11 @@ class RenderTest(ProgramTest):
                     for view in ("anterior", "posterior", "left", "right", "superior", "inferior")}
         self.assertEqual(len(pictures), 6)
         at = (run, "--frame", "6", "--size", "64x64")
-        self.assertNotEqual(self.render("a.png", *at).read_bytes(),
-                            self.render("b.png", *at, "--colour", "strain").read_bytes())
+        colours = {self.render(f"{colour}.png", *at, "--colour", colour).read_bytes()
+                   for colour in ("anatomy", "strain", "depth", "contact")}
+        self.assertEqual(len(colours), 4)
+        self.assertIn(self.render("default.png", *at).read_bytes(), colours)
+        self.check_error(2, ["--colour", "did you mean 'depth'?"], "render", *at, "--colour", "dept", "--out", "x.png")
 
     def test_the_whole_editor(self):
         run = self.simulate("--export", "vtp")

@@ -2,6 +2,7 @@
 import csv
 import json
 import os
+import re
 import subprocess
 import unittest
 
@@ -57,6 +58,25 @@ class SimulateTest(ProgramTest):
         self.assertAlmostEqual(float(rows[0]["volume_ratio"]), 1, places=9)
         for row in rows:
             self.assertLess(abs(float(row["volume_ratio"]) - 1), 0.01)
+
+    def test_surfaces_carry_depth_and_edge_extension(self):
+        out, _ = self.simulate("out", "--export", "vtp")
+        rows = self.rows(out / "metrics.csv")
+
+        def array(frame, name):
+            text = (out / "frames" / f"strap.{frame:04d}.vtp").read_text()
+            values = re.search(f'<DataArray[^>]*Name="{name}"[^>]*>([^<]*)<', text.split("<PointData")[1]).group(1)
+            return [float(value) for value in values.split()]
+
+        self.assertEqual(array(0, "depth"), [0.0] * self.counts[0])
+        self.assertEqual(array(0, "edge_extension"), [1.0] * self.counts[0])
+        for k in (3, 6, 12):
+            self.assertEqual(len(array(k, "depth")), self.counts[0])
+            self.assertAlmostEqual(max(array(k, "depth")), float(rows[k]["penetration_max_mm"]), places=9)
+            self.assertEqual(sum(depth > 0.1 for depth in array(k, "depth")), float(rows[k]["penetrating_vertices"]))
+            extension = array(k, "edge_extension")
+            self.assertLess(max(extension), float(rows[k]["edge_extension_max"]) + 1e-9)
+        self.assertGreater(max(array(6, "edge_extension")), 1.01)
 
     def test_motion_is_the_hinge_turn_of_the_moving_bone(self):
         out, _ = self.simulate("out")

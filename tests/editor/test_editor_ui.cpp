@@ -1,6 +1,7 @@
 #include "editor/driver.hpp"
 #include "fascicle/document/actions/parameter_actions.hpp"
 #include "fascicle/io/files.hpp"
+#include "support/shapes.hpp"
 #include "support/temp_dir.hpp"
 
 #include <catch2/catch.hpp>
@@ -250,7 +251,7 @@ TEST_CASE("Letters with Ctrl held do not what the letter does", "[editor][ui]") 
                 CHECK(d.state().rest_ghost == ghost);
                 CHECK(d.state().hidden.empty());
                 CHECK(same_camera(d.state().camera, camera));
-                CHECK(d.state().colouring == Colouring::anatomy);
+                CHECK(d.state().colouring == view::Colouring::anatomy);
             }
     d.key(key_w);
     CHECK(d.state().wireframe);
@@ -282,6 +283,70 @@ TEST_CASE("F frames the selection, Shift+F everything", "[editor][ui]") {
     CHECK(covered(low, high) > 1.02);
     d.key(key_f, {.shift = true});
     CHECK(covered(low, high) == Approx(0.92).margin(0.08));
+}
+
+TEST_CASE("X flies to the deepest vertex, or to the free one nearest to a bone", "[editor][ui]") {
+    Scene scene = test::small_scene();
+    TriMesh ceiling = test::box(40, 40, 20);
+    for (Vec3& p : ceiling.positions)
+        p += Vec3(20, -10, 36); // the muscle's top is at z = 35 and goes up by 0.2 % a frame
+    scene.bones.push_back({"ceiling", std::make_shared<const TriMesh>(ceiling), {}});
+    scene.muscles[0].attachments.clear();
+    Driver d(scene);
+    d.frame(3);
+    d.run()->compute(61);
+    d.frame(3);
+    const Rect view = d.rect("viewport");
+    const view::ViewSize size{double(view.width()), double(view.height())};
+    const auto fly_to = [&](const Vec3& vertex) {
+        const view::Camera before = d.state().camera;
+        d.key(key_x);
+        CHECK_FALSE(same_camera(d.state().camera, before));
+        CHECK((d.state().camera.pivot() - vertex).norm() < 1e-6);
+        const auto p = d.state().camera.project(vertex, size);
+        REQUIRE(p);
+        CHECK(p->x() == Approx(size.width / 2).margin(1));
+        CHECK(d.state().camera.units_per_pixel(size) < 0.2); // about 30 mm are in view
+        return d.editor().log().latest()->text;
+    };
+    d.state().playback.position = 0;
+    d.frame(2);
+    const std::string near = fly_to({40, 10, 35});
+    CHECK(near.rfind("Nothing penetrates", 0) == 0);
+    CHECK(near.find("1.00 mm from ceiling in frame 0") != std::string::npos);
+    d.state().playback.position = 20;
+    d.frame(2);
+    const std::string deep = fly_to({40, 10, 36.4});
+    CHECK(deep.rfind("Deepest: vertex 4 of muscle, 0.40 mm inside ceiling in frame 20", 0) == 0);
+    CHECK(d.editor().log().latest()->severity == Severity::note);
+}
+
+TEST_CASE("Without a bone there is no worst vertex to fly to", "[editor][ui]") {
+    Scene scene = test::small_scene();
+    scene.bones.clear();
+    scene.timeline = {};
+    scene.muscles[0].attachments.clear();
+    Driver d(scene);
+    d.frame(3);
+    const view::Camera before = d.state().camera;
+    d.key(key_x);
+    CHECK(same_camera(d.state().camera, before));
+}
+
+TEST_CASE("Every colouring can be chosen in the toolbar and has its legend", "[editor][ui]") {
+    Driver d;
+    d.frame(3);
+    for (const view::ColouringRow& row : view::colourings()) {
+        INFO(row.label);
+        d.click("toolbar/colouring");
+        d.frame(2);
+        d.click(std::string("toolbar/colouring/") + row.label);
+        d.frame(2);
+        CHECK(d.state().colouring == row.colouring);
+        CHECK(d.rect("viewport/legend").height() > 20);
+    }
+    d.key(key_c);
+    CHECK(d.state().colouring == view::Colouring::anatomy); // after the last the first
 }
 
 TEST_CASE("Esc stops the run, and no other starts", "[editor][ui]") {

@@ -28,9 +28,11 @@ void draw_all(const Scene& scene, int frames_of_run, RunState state) {
             d.run()->recording()->finish(state, state == RunState::failed ? "muscle: not closed" : "");
             d.run()->finished = true;
         }
-        d.state().colouring = Colouring::strain;
         d.state().selection = {Selection::Kind::muscle, "muscle"};
-        d.frame(3);
+        for (const view::ColouringRow& row : view::colourings()) {
+            d.state().colouring = row.colouring;
+            d.frame(3);
+        }
         d.state().selection = {Selection::Kind::bone, "turning"};
         d.state().dark = false;
         d.frame(3);

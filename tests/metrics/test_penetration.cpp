@@ -28,7 +28,7 @@ Penetration brute_force(const Scene& scene, const Frame& rest, const Frame& fram
             if (distance(rest) >= 0.0)
                 depth = std::max(depth, -mm * distance(frame));
         }
-        result.vertices += depth > 0.1;
+        result.count += depth > 0.1;
         result.max_mm = std::max(result.max_mm, depth);
     }
     return result;
@@ -42,7 +42,7 @@ TEST_CASE("a ball pushed into a box", "[metrics][penetration]") {
     const auto scene = test::scene_of(ball, {moved(test::box(100, 100, 20), Vec3(-50, -50, -20))});
     const Frame rest = test::rest_frame(*scene);
     MuscleMeasure m(*scene, 0, rest, bone_solids(*scene), std::nullopt);
-    CHECK(m.penetration().vertices == 0);
+    CHECK(m.penetration().count == 0);
     CHECK(m.penetration().max_mm == 0.0);
     CHECK(std::isnan(m.attachment_drift_mm()));
     m.measure(test::frame_of(*scene, moved(ball, Vec3(0, 0, -3)).positions));
@@ -50,13 +50,13 @@ TEST_CASE("a ball pushed into a box", "[metrics][penetration]") {
     for (const Vec3& p : ball.positions)
         expected += p.z() - 3.0 < -0.1;
     CHECK(expected > 3);
-    CHECK(m.penetration().vertices == expected);
+    CHECK(m.penetration().count == expected);
     CHECK(m.penetration().max_mm == Approx(2.0));
     for (std::size_t v = 0; v < ball.positions.size(); ++v)
         CHECK(m.depth_mm_at_vertices()[v] == Approx(std::max(0.0, 3.0 - ball.positions[v].z())).margin(1e-9));
     // Within the tolerance nothing is counted, but the depth is told.
     m.measure(test::frame_of(*scene, moved(ball, Vec3(0, 0, -1.08)).positions));
-    CHECK(m.penetration().vertices == 0);
+    CHECK(m.penetration().count == 0);
     CHECK(m.penetration().max_mm == Approx(0.08));
 }
 
@@ -75,9 +75,9 @@ TEST_CASE("vertices inside at rest never count for that bone, but do for another
     }
     REQUIRE(inside_at_rest > 0);
     m.measure(test::frame_of(*scene, moved(ball, Vec3(0, 0, -1)).positions));
-    CHECK(m.penetration().vertices == expected);
+    CHECK(m.penetration().count == expected);
     m.measure(test::frame_of(*scene, moved(ball, Vec3(10, 0, 0)).positions));
-    CHECK(m.penetration().vertices == into_beside);
+    CHECK(m.penetration().count == into_beside);
 }
 
 TEST_CASE("what is kept between frames never changes the answer", "[metrics][penetration]") {
@@ -111,14 +111,14 @@ TEST_CASE("what is kept between frames never changes the answer", "[metrics][pen
     int hits = 0;
     for (const Frame& frame : frames) {
         expected.push_back(brute_force(*scene, rest, frame, 1.0 / unit));
-        hits += expected.back().vertices > 0;
+        hits += expected.back().count > 0;
     }
     CHECK(hits > 5);
     test::Random random(77);
     for (int i = 0; i < 120; ++i) {
         const std::size_t k = i < 40 ? static_cast<std::size_t>(i) : random.index(frames.size());
         m.measure(frames[k]);
-        CHECK(m.penetration().vertices == expected[k].vertices);
+        CHECK(m.penetration().count == expected[k].count);
         CHECK(m.penetration().max_mm == Approx(expected[k].max_mm).margin(1e-9));
     }
 }

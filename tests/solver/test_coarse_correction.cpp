@@ -121,16 +121,17 @@ TEST_CASE("cluster basis: weights sum to one away from fixed vertices, and vanis
     int full = 0;
     for (std::size_t i = 0; i < ball.mesh.positions.size(); ++i) {
         double sum = 0;
-        for (const double w : basis.weights()[i].weight) {
+        for (const float share : basis.weights()[i].weight) {
+            const auto w = static_cast<double>(share);
             CHECK(w >= 0.0);
             sum += w;
         }
-        CHECK(sum < 1 + 1e-12);
+        CHECK(sum < 1 + 1e-6);
         if (ball.inverse_mass[i] == 0.0)
             CHECK(sum == 0.0);
         else
             CHECK(sum > 0.0);
-        full += std::abs(sum - 1) < 1e-12 ? 1 : 0;
+        full += std::abs(sum - 1) < 1e-6 ? 1 : 0;
     }
     CHECK(full > int(ball.mesh.positions.size()) / 3);
 }

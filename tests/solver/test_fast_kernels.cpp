@@ -4,7 +4,7 @@
 #include "solver/coarse/elastic_terms.hpp"
 #include "solver/constraints/dihedral.hpp"
 #include "solver/constraints/distance.hpp"
-#include "solver/fast/grid_slope.hpp"
+#include "solver/contact/grid_slope.hpp"
 #include "solver/fast/layout.hpp"
 #include "support/shapes.hpp"
 

@@ -16,7 +16,7 @@ DistanceGrid grid_of(const TriMesh& mesh) {
     return DistanceGrid(mesh, options);
 }
 
-const ContactSettings settings{0.2, 0.0, 8};
+const ContactSettings settings{0.2, 0.02, 0.0, 8};
 
 } // namespace
 

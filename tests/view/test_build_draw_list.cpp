@@ -120,8 +120,9 @@ TEST_CASE("Nothing is computed twice while nothing changes", "[view][draw_cache]
     const ViewSubject subject = run_of(scene);
     ViewOptions options;
     options.rest_ghost = true;
-    for (const bool strain : {false, true}) {
-        options.strain = strain;
+    for (const ColouringRow& row : colourings()) {
+        INFO(row.key);
+        options.colouring = row.colouring;
         DrawCache cache;
         const render::DrawList first = build_draw_list(subject, options, {}, cache);
         const int computed = cache.computed();
@@ -155,7 +156,7 @@ TEST_CASE("Changed attachments and scales change the colours", "[view][draw_cach
     const auto after = find(build_draw_list(subject, options, {}, cache), muscle_item_id(0))->vertex_colours;
     CHECK((*after)[0] == palette::attachment);
     CHECK(*after != *before);
-    options.strain = true;
+    options.colouring = Colouring::strain;
     const auto narrow = find(build_draw_list(subject, options, {}, cache), muscle_item_id(0))->vertex_colours;
     options.strain_scale.high = 3.0;
     CHECK(*find(build_draw_list(subject, options, {}, cache), muscle_item_id(0))->vertex_colours != *narrow);
@@ -274,7 +275,7 @@ TEST_CASE("Areas, bones and muscles are seen in their colours", "[view][picture]
 
 TEST_CASE("Strain is red where longer and blue where shorter", "[view][picture]") {
     ViewOptions options;
-    options.strain = true;
+    options.colouring = Colouring::strain;
     options.attachments = false;
     const render::Image image = picture(run_of(make_scene()), options);
     const auto reddish = [](const auto& c) { return c[0] > c[2] + 50; };
@@ -335,9 +336,9 @@ TEST_CASE("Golden: a scene at rest, deformed, strained and transparent", "[view]
     };
     ViewOptions options;
     check(options, "scene");
-    options.strain = true;
+    options.colouring = Colouring::strain;
     check(options, "scene_strain");
-    options.strain = false;
+    options.colouring = Colouring::anatomy;
     options.bone_opacity = 0.35f;
     options.rest_ghost = true;
     options.wireframe = true;

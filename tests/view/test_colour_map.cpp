@@ -60,6 +60,22 @@ TEST_CASE("Values outside the map take its ends, NaN is told apart", "[view][col
     CHECK(ColourScale{ColourMap::viridis, 1.0, 1.0}.colour(3.0) == map_colour(ColourMap::viridis, 0.5));
 }
 
+TEST_CASE("A scale with a middle is linear on both sides of it, either way round", "[view][colour_map]") {
+    const ColourScale scale{ColourMap::diverging, -1.0, 5.0, 0.0};
+    CHECK(scale.colour(-1.0) == map_colour(ColourMap::diverging, 0.0));
+    CHECK(scale.colour(-0.5) == map_colour(ColourMap::diverging, 0.25));
+    CHECK(scale.colour(0.0) == map_colour(ColourMap::diverging, 0.5));
+    CHECK(scale.colour(2.5) == map_colour(ColourMap::diverging, 0.75));
+    CHECK(scale.colour(9.0) == map_colour(ColourMap::diverging, 1.0));
+    ColourScale other = scale;
+    other.reversed = true;
+    CHECK_FALSE(other == scale);
+    CHECK(other.colour(-7.0) == map_colour(ColourMap::diverging, 1.0));
+    CHECK(other.colour(0.0) == map_colour(ColourMap::diverging, 0.5));
+    CHECK(other.colour(2.5) == map_colour(ColourMap::diverging, 0.25));
+    CHECK(other.colour(std::nan("")) == Rgba{1, 0, 1, 1});
+}
+
 TEST_CASE("Legend ticks are round, inside and in order", "[view][colour_map]") {
     const auto labels = [](double low, double high, int most) {
         std::vector<std::string> result;

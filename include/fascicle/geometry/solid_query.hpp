@@ -31,6 +31,11 @@ public:
         return signed_distance(p, max_distance, hint);
     }
     bool inside(const Vec3& p) const;
+    /// Whether p is outside by the box alone: true says that inside(p) is false, false says nothing.
+    bool beyond_box(const Vec3& p) const {
+        // The winding number of a closed surface vanishes outside of its box, exactly.
+        return closed() && !((p.array() >= low_.array()).all() && (p.array() <= high_.array()).all());
+    }
 
     /// signed_distance with the radius, for callers that move a point and ask again. known_inside: the answer
     /// of inside(p) when the caller can tell, saving its cost; -1: unknown.

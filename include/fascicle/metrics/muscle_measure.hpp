@@ -20,8 +20,9 @@ public:
                   std::vector<std::shared_ptr<const SolidQuery>> bones,
                   std::optional<std::vector<Attachment>> attachments, int threads = 1);
 
-    /// Measures a frame; everything below is then about that frame.
-    void measure(const Frame& frame);
+    /// Measures a frame; everything below is then about that frame. overlap_mm: what MuscleOverlapMeasure, which
+    /// looks at all muscles together, says of this one.
+    void measure(const Frame& frame, double overlap_mm = 0);
 
     double millimetres_per_unit() const { return millimetres_per_unit_; }
     const FrameReport& report() const { return report_; }
@@ -30,7 +31,11 @@ public:
     double area_cm2() const;
     const EdgeExtension& edges() const { return edges_; }
     const DihedralChange& dihedrals() const { return dihedrals_; }
-    const Penetration& penetration() const { return penetration_; }
+    const Penetration& penetration() const { return penetration_; } ///< of the vertices
+    /// The same of the triangles' centroids and of the edges' middles: a bone can come through between vertices.
+    const Penetration& centroid_penetration() const { return centroid_penetration_; }
+    const Penetration& midpoint_penetration() const { return midpoint_penetration_; }
+    double overlap_mm() const { return overlap_mm_; } ///< depth in other muscles beyond that at rest
     const RestDistance& rest_distance() const { return rest_distance_; } ///< scene units
     /// Largest distance of an attached vertex from where its bone would carry it rigidly from frame 0. Must
     /// be 0 up to rounding.
@@ -55,14 +60,15 @@ private:
     EdgeExtensionMeasure edge_measure_;
     DihedralChangeMeasure dihedral_measure_;
     RestDistanceMeasure rest_distance_measure_;
-    PenetrationMeasure penetration_measure_;
+    PenetrationMeasure penetration_measure_, centroid_measure_, midpoint_measure_;
 
     PointsPtr points_;
     FrameReport report_;
-    double volume_ = 0, area_ = 0, drift_mm_ = 0;
+    Points samples_; ///< kept between calls
+    double volume_ = 0, area_ = 0, drift_mm_ = 0, overlap_mm_ = 0;
     EdgeExtension edges_;
     DihedralChange dihedrals_;
-    Penetration penetration_;
+    Penetration penetration_, centroid_penetration_, midpoint_penetration_;
     RestDistance rest_distance_;
 };
 

@@ -38,11 +38,26 @@ struct SoftBodyProblem {
     double unit_mm = 1.0;
 };
 
+/// A half-space that a vertex must stay in during one frame: (x - p(s)) . normal >= least, p(s) = from + s (to - from), s the
+/// share of the frame. normal: unit.
+struct PointPlane {
+    int vertex = -1;
+    Vec3 from = Vec3::Zero(), to = Vec3::Zero();
+    Vec3 normal = Vec3::Zero();
+    double least = 0;
+};
+
 /// Running totals since the start, and seconds per stage.
 struct StepReport {
     std::int64_t contacts = 0;   ///< vertices moved by contact, summed over substeps
     std::int64_t unresolved = 0; ///< vertices that contact could not put outside, summed over substeps
     std::int64_t non_finite = 0; ///< new positions that were not finite and were refused
+    std::int64_t slid = 0;       ///< vertices that the hard bound stopped at a solid, summed over substeps
+    std::int64_t ejected = 0;    ///< vertices put to the nearest place outside of all solids
+    std::int64_t impossible = 0; ///< vertices for which there was no such place: the solids leave no room
+    std::int64_t samples_pushed = 0; ///< points on edges and faces pushed out of solids
+    std::int64_t samples_held =
+        0; ///< those that had to be left inside, held by an attachment or by another solid
     std::map<std::string, double> stage_seconds;
 };
 
@@ -51,6 +66,10 @@ public:
     virtual ~SoftBodySolver() = default;
     /// Advances one frame; solid b moves from `from[b]` to `to[b]` (poses from its rest pose), by screw motion.
     virtual void advance(std::span<const Pose> from, std::span<const Pose> to) = 0;
+    /// Whether the method knows planes.
+    virtual bool takes_planes() const { return false; }
+    /// Planes for the next frame only, ascending by vertex.
+    virtual void set_planes(std::span<const PointPlane> /*planes*/) {}
     /// V positions. Vertices fixed to a solid are exactly where its pose puts them.
     virtual const Points& positions() const = 0;
     virtual const StepReport& report() const = 0;

@@ -13,7 +13,7 @@ struct PictureOptions {
     int width = 1280;
     int height = 800;
     std::optional<view::StandardView> from; ///< nothing: where most of muscles and motion is seen
-    bool strain = false;                    ///< colours of edge extension instead of anatomy
+    view::Colouring colouring = view::Colouring::anatomy; ///< of muscles
 };
 
 /// Names for `--view`, in the order of view::StandardView.

@@ -44,7 +44,9 @@ PictureOptions picture_options(const RenderOptions& options) {
     const auto& names = standard_view_names();
     if (const auto it = std::find(names.begin(), names.end(), options.view); it != names.end())
         picture.from = static_cast<view::StandardView>(it - names.begin());
-    picture.strain = options.colour == "strain";
+    for (const view::ColouringRow& row : view::colourings())
+        if (options.colour == row.key)
+            picture.colouring = row.colouring;
     return picture;
 }
 
@@ -100,7 +102,7 @@ void draw_editor(const RenderOptions& options, const PictureOptions& picture) {
     editor::EditorPictureOptions look;
     look.width = picture.width;
     look.height = picture.height;
-    look.strain = picture.strain;
+    look.colouring = picture.colouring;
     write_picture(options.out, editor::render_editor_picture(recording, options.frame, look));
 }
 
@@ -128,8 +130,10 @@ std::function<int()> add_render(CLI::App& app) {
     add_text(app, "--out", options->out, "FILE.png", "The picture");
     add_choice(app, "--view", options->view, standard_view_names(),
                "Side to look from (default: where most muscle is seen)");
-    add_choice(app, "--colour", options->colour, {"anatomy", "strain"},
-               "What colours show (default: anatomy)");
+    std::vector<std::string> colours;
+    for (const view::ColouringRow& row : view::colourings())
+        colours.emplace_back(row.key);
+    add_choice(app, "--colour", options->colour, colours, "What colours of muscles show (default: anatomy)");
     app.add_flag("--ui", options->ui, "The whole editor instead of the viewport alone");
     add_solve_options(app, options->solve);
     app.add_flag("--quiet", options->quiet, "No progress");

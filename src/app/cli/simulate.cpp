@@ -9,6 +9,7 @@
 #include "fascicle/base/suggest.hpp"
 #include "fascicle/io/run_writer.hpp"
 #include "fascicle/metrics/metric_table.hpp"
+#include "fascicle/metrics/muscle_measure.hpp"
 #ifdef FASCICLE_HAS_VIEW
 #include "app/cli/pictures.hpp"
 #endif
@@ -27,6 +28,17 @@ struct SimulateOptions {
     int every = 1;
     bool quiet = false;
 };
+
+/// For colouring in ParaView, one list per muscle: positive inside a bone; length over rest length.
+std::vector<std::vector<NamedArray>> point_arrays(const MetricsEngine& metrics, std::size_t muscles) {
+    std::vector<std::vector<NamedArray>> arrays;
+    for (std::size_t m = 0; m < muscles; ++m) {
+        const MuscleMeasure& muscle = metrics.muscle(static_cast<int>(m));
+        arrays.push_back({{"depth", 1, muscle.depth_mm_at_vertices()},
+                          {"edge_extension", 1, muscle.edge_extension_at_vertices()}});
+    }
+    return arrays;
+}
 
 struct Exports {
     bool vtp = false;
@@ -80,7 +92,9 @@ int simulate(const SimulateOptions& options) {
         }
         const std::vector<std::vector<double>> values = metrics->measure(*frame);
         table.add(*frame, values);
-        writer.add_frame(frame, values);
+        writer.add_frame(frame, values,
+                         exports.vtp ? point_arrays(*metrics, scene->muscles.size())
+                                     : std::vector<std::vector<NamedArray>>{});
     };
     const RecordingPtr recording = run_scene(scene, {threads, loaded.notes}, progress, on_frame);
     if (recording->frame_count() > 0)

@@ -52,7 +52,7 @@ private:
     static void view_menu(EditorContext& context) {
         if (!begin("View"))
             return;
-        items(context, {C::frame_selection, C::frame_all});
+        items(context, {C::frame_selection, C::frame_all, C::fly_to_worst});
         ImGui::Separator();
         items(context, {C::view_anterior, C::view_posterior, C::view_left, C::view_right, C::view_superior,
                         C::view_inferior, C::toggle_orthographic});

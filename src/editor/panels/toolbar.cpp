@@ -67,22 +67,22 @@ private:
         const float y = ImGui::GetCursorPosY();
         ImGui::SetCursorPosY(y + (side - ImGui::GetFrameHeight()) / 2);
         ImGui::SetNextItemWidth(context.px(150));
-        int now = static_cast<int>(context.state.colouring);
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImGui::GetStyle().ItemInnerSpacing);
-        if (ImGui::BeginCombo("##colouring", to_text(context.state.colouring))) {
-            for (int i = 0; i < colouring_count; ++i) {
-                if (ImGui::Selectable(to_text(static_cast<Colouring>(i)), i == now))
-                    context.state.colouring = static_cast<Colouring>(i);
-                record_item(std::string("toolbar/colouring/") + to_text(static_cast<Colouring>(i)));
+        std::string tip = "Colours of muscles (" + shortcut(C::next_colouring) + ")";
+        for (const view::ColouringRow& row : view::colourings())
+            tip.append("\n").append(row.label).append(": ").append(row.help);
+        if (ImGui::BeginCombo("##colouring", view::colouring_row(context.state.colouring).label)) {
+            for (const view::ColouringRow& row : view::colourings()) {
+                if (ImGui::Selectable(row.label, row.colouring == context.state.colouring))
+                    context.state.colouring = row.colouring;
+                item_tooltip(row.help);
+                record_item(std::string("toolbar/colouring/") + row.label);
             }
             ImGui::EndCombo();
         }
         ImGui::PopStyleVar();
         record_item("toolbar/colouring");
-        item_tooltip(
-            "Colours of muscles (" + shortcut(C::next_colouring) +
-            ")\nAnatomy: muscle red with attachment areas. Edge extension: length over rest length of the "
-            "edges around each vertex.");
+        item_tooltip(tip);
     }
 
     /// What the solver is doing, with its button, at the right end.

@@ -143,15 +143,32 @@ private:
                              const Rect& area) {
         if (area.height() < context.px(240))
             return;
-        if (context.state.colouring == Colouring::strain) {
-            const Rect plate =
-                draw_colour_bar(list, corner, "Edge extension [1]", view::ViewOptions{}.strain_scale,
-                                context.theme, context.scale());
+        std::vector<LegendEntry> entries;
+        switch (context.state.colouring) {
+        case view::Colouring::strain:
+        case view::Colouring::depth: {
+            const view::ViewOptions options;
+            const bool strain = context.state.colouring == view::Colouring::strain;
+            const Rect plate = draw_colour_bar(
+                list, corner, view::colouring_row(context.state.colouring).legend,
+                strain ? options.strain_scale : options.depth_scale, context.theme, context.scale());
             record_item("viewport/legend", plate);
             return;
         }
-        if (!context.state.attachments)
-            return;
+        case view::Colouring::contact:
+            for (const view::ContactRow& row : view::contact_rows())
+                entries.push_back({row.label, packed(row.colour)});
+            break;
+        case view::Colouring::anatomy:
+            if (context.state.attachments)
+                entries = attachment_entries(context);
+        }
+        if (!entries.empty())
+            record_item("viewport/legend",
+                        draw_swatches(list, corner, entries, context.theme, context.scale()));
+    }
+
+    static std::vector<LegendEntry> attachment_entries(const EditorContext& context) {
         bool origin = false, insertion = false, unknown = false;
         const RecordingPtr recording = context.shown().recording;
         const Scene& scene = context.shown_scene();
@@ -172,9 +189,7 @@ private:
             entries.push_back({"Insertion", packed(view::palette::insertion)});
         if (unknown)
             entries.push_back({"Attachment", packed(view::palette::attachment)});
-        if (!entries.empty())
-            record_item("viewport/legend",
-                        draw_swatches(list, corner, entries, context.theme, context.scale()));
+        return entries;
     }
 
     /// A sentence when what is seen is not the computed frame at the playhead.

@@ -17,7 +17,7 @@ Rect draw_colour_bar(ImDrawList& list, ImVec2 corner, const std::string& title,
                      const view::ColourScale& scale, const Theme& theme, float ui_scale) {
     const float line = ImGui::GetTextLineHeight(), pad = std::round(9 * ui_scale);
     const float bar_width = std::round(12 * ui_scale), bar_height = std::round(130 * ui_scale);
-    const std::vector<view::LegendTick> ticks = view::legend_ticks(scale);
+    const std::vector<view::LegendTick> ticks = view::legend_ticks(scale, 7);
     float labels = 0;
     for (const view::LegendTick& tick : ticks)
         labels = std::max(labels, text_size(tick.label).x);
@@ -32,8 +32,8 @@ Rect draw_colour_bar(ImDrawList& list, ImVec2 corner, const std::string& title,
     const auto y_of = [&](double t) { return bar.max.y - static_cast<float>(t) * bar.height(); };
     for (int i = 0; i < pieces; ++i) {
         const double a = double(i) / pieces, b = double(i + 1) / pieces;
-        const ImU32 low = packed(view::map_colour(scale.map, a)),
-                    high = packed(view::map_colour(scale.map, b));
+        const ImU32 low = packed(scale.colour(scale.low + a * (scale.high - scale.low))),
+                    high = packed(scale.colour(scale.low + b * (scale.high - scale.low)));
         list.AddRectFilledMultiColor({bar.min.x, y_of(b)}, {bar.max.x, y_of(a)}, high, high, low, low);
     }
     for (const view::LegendTick& tick : ticks) {

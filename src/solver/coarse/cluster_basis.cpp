@@ -29,24 +29,25 @@ ClusterBasis::ClusterBasis(const Points& rest, const MeshTopology& topology,
             continue;
         const double reach = near.count == 5 ? near.distance[4] : near.distance[at(near.count - 1)] + radius_;
         double sum = 0;
+        std::array<double, 4> weight{};
         for (std::size_t k = 0; k < at(std::min(near.count, 4)); ++k) {
             const double share = reach > 0 ? 1.0 - near.distance[k] / reach : 1.0;
-            weights_[i].cluster[k] = near.seed[k];
-            weights_[i].weight[k] = share * share;
+            weights_[i].cluster[k] = static_cast<std::uint16_t>(near.seed[k]);
+            weight[k] = share * share;
             sum += share * share;
         }
         // A vertex as far from all of its seeds as from the fifth follows the nearest.
         if (!(sum > 0))
-            weights_[i].weight[0] = sum = 1.0;
+            weight[0] = sum = 1.0;
         const double ramp = std::min(1.0, seeds.from_fixed[i] / radius_);
-        for (double& w : weights_[i].weight)
-            w *= ramp / sum;
+        for (std::size_t k = 0; k < 4; ++k)
+            weights_[i].weight[k] = static_cast<float>(weight[k] * ramp / sum);
     }
     band_ = order_clusters(topology, weights_, clusters_);
     for (const ClusterWeights& own : weights_)
         for (std::size_t k = 0; k < 4; ++k)
             for (std::size_t l = 0; l < 4; ++l)
-                if (own.weight[k] > 0.0 && own.weight[l] > 0.0 && own.cluster[k] < own.cluster[l])
+                if (own.weight[k] > 0.0F && own.weight[l] > 0.0F && own.cluster[k] < own.cluster[l])
                     neighbours_.push_back({own.cluster[k], own.cluster[l]});
     std::sort(neighbours_.begin(), neighbours_.end());
     neighbours_.erase(std::unique(neighbours_.begin(), neighbours_.end()), neighbours_.end());

@@ -8,14 +8,15 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <cstdint>
 #include <span>
 
 namespace fascicle::solver {
 
 /// Clusters of one vertex; unused places have weight zero.
 struct ClusterWeights {
-    std::array<int, 4> cluster{};
-    std::array<double, 4> weight{};
+    std::array<std::uint16_t, 4> cluster{};
+    std::array<float, 4> weight{};
 };
 
 class ClusterBasis {

@@ -172,7 +172,7 @@ int order_clusters(const MeshTopology& topology, std::vector<ClusterWeights>& we
     for (ClusterWeights& w : weights)
         for (std::size_t k = 0; k < 4; ++k)
             if (w.weight[k] != 0.0)
-                w.cluster[k] = place[at(w.cluster[k])];
+                w.cluster[k] = static_cast<std::uint16_t>(place[at(w.cluster[k])]);
     return 6 * width + 5;
 }
 

@@ -130,7 +130,7 @@ void CoarseMatrix::add(BlockSum& sum, const Points& x, const ElasticTerm& term, 
                    static_cast<float>(torque.y()), static_cast<float>(torque.z())};
         for (std::size_t k = 0; k < 4; ++k) {
             clusters[4 * j + k] = own.cluster[k];
-            weights[4 * j + k] = static_cast<float>(own.weight[k]);
+            weights[4 * j + k] = own.weight[k];
         }
     }
     const int count =
@@ -157,11 +157,12 @@ void CoarseMatrix::add_inertia(std::size_t part, const Points& x, std::size_t fi
         for (std::size_t l = 0; l < 4; ++l) {
             if (own.weight[l] == 0.0)
                 continue;
-            const Vec3 p = x[i] - basis_.centre(own.cluster[l]), q = own.weight[l] * p;
-            const PairMoments some{own.weight[l], q.x(),         q.y(),         q.z(),         p.x() * q.x(),
-                                   p.x() * q.y(), p.x() * q.z(), p.y() * q.y(), p.y() * q.z(), p.z() * q.z()};
+            const Vec3 p = x[i] - basis_.centre(own.cluster[l]), q = double(own.weight[l]) * p;
+            const PairMoments some{double(own.weight[l]), q.x(),         q.y(),         q.z(),
+                                   p.x() * q.x(),         p.x() * q.y(), p.x() * q.z(), p.y() * q.y(),
+                                   p.y() * q.z(),         p.z() * q.z()};
             for (std::size_t k = 0; k < 4; ++k) {
-                const double w = own.weight[k];
+                const auto w = static_cast<double>(own.weight[k]);
                 if (w == 0.0 || own.cluster[k] < own.cluster[l])
                     continue;
                 PairMoments& pair = moments[at(pattern_.place(own.cluster[k], own.cluster[l]))];

@@ -17,10 +17,15 @@ struct ContactSolid {
     const DistanceGrid* grid = nullptr;
     Pose now;
     Pose before;
+    double slope = 2.0; ///< a Lipschitz constant of the grid's interpolant, see largest_slope()
 };
+
+/// The hard bound, as a share of the offset.
+inline constexpr double least_of_offset = 0.1;
 
 struct ContactSettings {
     double offset = 0.1;   ///< wanted distance to the grid's zero set, scene units
+    double least = 0.01;   ///< the distance that is kept whatever happens, below the offset
     double friction = 0.0; ///< Coulomb coefficient, 0 slides freely
     int passes = 4;        ///< alternating projections over the solids: two solids at once need more than one
 };

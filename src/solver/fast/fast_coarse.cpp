@@ -62,7 +62,7 @@ void FastCoarse::make_members(const Plan& plan) {
     for (std::size_t i = 0; i < weights.size(); ++i) {
         const auto r = static_cast<std::size_t>(plan.record_of_vertex[i]);
         for (std::size_t k = 0; k < 4; ++k) {
-            const auto w = static_cast<float>(weights[i].weight[k]);
+            const float w = weights[i].weight[k];
             const auto cluster = static_cast<std::size_t>(weights[i].cluster[k]);
             shares_[r / packet].weight[k][r % packet] = w;
             shares_[r / packet].cluster[k][r % packet] = static_cast<std::uint16_t>(cluster);

@@ -4,12 +4,9 @@
 
 #include "solver/coarse/coarse_matrix.hpp"
 #include "solver/fast/plan.hpp"
+#include "solver/fast/row.hpp"
 
 namespace fascicle::solver::fast {
-
-struct alignas(64) Row {
-    float v[packet];
-};
 
 class FastCoarse {
 public:

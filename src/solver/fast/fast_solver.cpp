@@ -3,14 +3,13 @@
 #include "fascicle/base/assert.hpp"
 #include "fascicle/base/bytes_of.hpp"
 #include "fascicle/base/parallel.hpp"
-#include "fascicle/geometry/distance_grid.hpp"
 #include "fascicle/geometry/volume.hpp"
 #include "solver/coarse/elastic_terms.hpp"
 #include "solver/constraints/volume.hpp"
-#include "solver/edge_constraints.hpp"
+#include "solver/contact/contact_setup.hpp"
 #include "solver/fast/chunk_split.hpp"
 #include "solver/fast/fast_coarse.hpp"
-#include "solver/fast/grid_slope.hpp"
+#include "solver/fast/fast_contact.hpp"
 #include "solver/fast/plan.hpp"
 #include "solver/fast/thread_choice.hpp"
 #include "solver/fast/worker_team.hpp"
@@ -34,10 +33,11 @@ enum Stage : std::size_t {
     constraint_stage,
     volume_stage,
     contact_stage,
+    sample_stage,
     stage_count
 };
-constexpr std::array<const char*, stage_count> stage_names{"predict", "coarse", "edges and dihedrals",
-                                                           "volume", "contact and prediction"};
+constexpr std::array<const char*, stage_count> stage_names{"predict", "coarse",  "edges and dihedrals",
+                                                           "volume",  "contact", "samples"};
 
 class FastSolver final : public SoftBodySolver {
 public:
@@ -48,16 +48,18 @@ public:
     const StepReport& report() const override { return report_; }
     const std::vector<int>& body_of_vertex() const override { return problem_.body_of_vertex; }
     bool uses_threads() const override { return true; }
+    bool takes_planes() const override { return true; }
+    void set_planes(std::span<const PointPlane> planes) override { contact_.set_planes(planes); }
     std::size_t state_bytes() const override;
 
 private:
     void make_records();
     void make_groups();
     void make_fixed_groups();
-    void make_solids();
-    void set_solids(std::span<const Pose> from, std::span<const Pose> to);
     void run_frame(int thread, int threads, std::span<const Pose> to);
     void sweep(const ConstraintSet& set);
+    template <typename Meet>
+    void guard_samples(int thread, int threads, int substep, const Meet& meet);
     template <typename Chunks, typename Meet>
     void correct(int thread, int threads, bool with_frames, const Chunks& for_chunks, const Meet& meet);
     VolumeSums total_volume() const;
@@ -81,12 +83,13 @@ private:
     std::vector<Row> slack_, carry_;
     std::vector<FixedGroup> fixed_;
     std::vector<std::size_t> first_fixed_; ///< by chunk, and one more
-    std::vector<SolidStep> solid_steps_;   ///< substeps x solids
-    std::vector<SolidStep> solids_;        ///< what of them does not change
     std::vector<VolumeSums> volume_sums_;
     std::vector<ContactSums> contact_sums_;
     std::vector<int> vertex_of_record_; ///< -1 for padding
     WorkerTeam team_;
+    FastContact contact_;
+    bool started_ = false;
+    GuardCounts vertex_counts_;
     ThreadChoice choice_;
     ChunkSplit split_;
     Points positions_;
@@ -94,25 +97,19 @@ private:
     std::array<double, stage_count> stage_seconds_{};
 };
 
-/// m and t of m x + t as a row-major 3 x 4 matrix of floats.
-void set_affine(float (&out)[12], const Mat3& m, const Vec3& t) {
-    for (Eigen::Index r = 0; r < 3; ++r) {
-        for (Eigen::Index c = 0; c < 3; ++c)
-            out[4 * r + c] = static_cast<float>(m(r, c));
-        out[4 * r + 3] = static_cast<float>(t[r]);
-    }
-}
-
 FastSolver::FastSolver(const SoftBodyProblem& problem, const MeshTopology& topology, Plan plan,
                        CoarseMatrix coarse, const Kernels& kernels)
     : problem_(problem), plan_(std::move(plan)), kernels_(kernels),
       coarse_(problem, topology, std::move(coarse), plan_, kernels),
       substeps_(passes_per_frame(problem.parameters)),
       team_(std::clamp(problem.threads, 1, static_cast<int>(plan_.interiors.size()))),
-      split_(plan_.chunks.size(), team_.size()), positions_(problem.surface->positions) {
+      contact_(problem, topology, plan_, kernels, team_.size()), split_(plan_.chunks.size(), team_.size()),
+      positions_(problem.surface->positions) {
     const ParamSet& p = problem_.parameters;
-    settings_.offset = static_cast<float>(p.get("contact.offset_mm") / problem.unit_mm);
-    settings_.friction = static_cast<float>(p.get("contact.friction"));
+    const ContactSettings contact = contact_settings(problem);
+    settings_.offset = static_cast<float>(contact.offset);
+    settings_.least = static_cast<float>(contact.least);
+    settings_.friction = static_cast<float>(contact.friction);
     settings_.keep =
         static_cast<float>(std::exp(-p.get("solver.damping") * p.get("solver.frame_time") / substeps_));
     settings_.solids = static_cast<int>(problem_.solids.size());
@@ -124,7 +121,6 @@ FastSolver::FastSolver(const SoftBodyProblem& problem, const MeshTopology& topol
     make_records();
     make_groups();
     make_fixed_groups();
-    make_solids();
     // Only the arrays made of them are needed from here on.
     plan_.rest = {};
     problem_.edge_softness = {};
@@ -164,8 +160,6 @@ void FastSolver::make_groups() {
     }
     const std::size_t solids = problem_.solids.size();
     slack_.assign(plan_.groups * solids, Row{});
-    for (Row& row : slack_)
-        std::fill(std::begin(row.v), std::end(row.v), -1.0f);
     if (problem_.carry_weights.empty())
         return;
     carry_.assign(plan_.groups * solids, Row{});
@@ -206,48 +200,6 @@ void FastSolver::make_fixed_groups() {
     first_fixed_.push_back(next);
 }
 
-void FastSolver::make_solids() {
-    for (const SolidBody& body : problem_.solids) {
-        FASCICLE_ASSERT(body.grid != nullptr);
-        const DistanceGrid& grid = *body.grid;
-        SolidStep solid{};
-        solid.values = grid.values().data();
-        for (std::size_t k = 0; k < 3; ++k)
-            solid.cells[k] = grid.values().empty() ? 0 : grid.nodes()[k] - 1;
-        solid.step_y = grid.nodes()[0];
-        solid.step_z = grid.nodes()[0] * grid.nodes()[1];
-        solid.saturation = static_cast<float>(grid.saturation());
-        solid.per_slope = static_cast<float>(1.0 / largest_slope(grid, problem_.threads));
-        solids_.push_back(solid);
-    }
-    solid_steps_.resize(solids_.size() * static_cast<std::size_t>(substeps_));
-}
-
-/// Everything the frame needs to know of the solids' motion, relative to the plan's origin o: a point is x + o.
-void FastSolver::set_solids(std::span<const Pose> from, std::span<const Pose> to) {
-    const Vec3& o = plan_.origin;
-    for (std::size_t b = 0; b < solids_.size(); ++b) {
-        const DistanceGrid& grid = *problem_.solids[b].grid;
-        const double per_h = 1.0 / grid.spacing();
-        Pose before = screw_between(from[b], to[b], 0.0);
-        for (int k = 0; k < substeps_; ++k) {
-            SolidStep& s = solid_steps_[static_cast<std::size_t>(k) * solids_.size() + b];
-            s = solids_[b];
-            const Pose now = screw_between(from[b], to[b], double(k + 1) / substeps_);
-            const Pose inverse = now.inverse();
-            set_affine(s.to_grid, per_h * inverse.rotation, per_h * (inverse.apply(o) - grid.low()));
-            for (Eigen::Index i = 0; i < 3; ++i)
-                for (Eigen::Index j = 0; j < 3; ++j)
-                    s.turn[3 * i + j] = static_cast<float>(per_h * now.rotation(i, j));
-            const Pose step = now.after(before.inverse());
-            set_affine(s.carry, step.rotation - Mat3::Identity(), step.apply(o) - o);
-            set_affine(s.place, now.rotation, now.apply(o) - o);
-            s.moves = from[b].rotation != to[b].rotation || from[b].translation != to[b].translation;
-            before = now;
-        }
-    }
-}
-
 VertexArrays FastSolver::arrays() {
     return {reinterpret_cast<float*>(records_.data()), groups_.data(),
             reinterpret_cast<float*>(slack_.data()),
@@ -255,8 +207,11 @@ VertexArrays FastSolver::arrays() {
 }
 
 void FastSolver::advance(std::span<const Pose> from, std::span<const Pose> to) {
-    FASCICLE_ASSERT(from.size() == solids_.size() && to.size() == solids_.size());
-    set_solids(from, to);
+    FASCICLE_ASSERT(from.size() == problem_.solids.size() && to.size() == problem_.solids.size());
+    contact_.set_solids(from, to);
+    if (!started_)
+        contact_.set_slack(arrays());
+    started_ = true;
     std::fill(contact_sums_.begin(), contact_sums_.end(), ContactSums{});
     const auto start = Clock::now();
     if (team_.size() == 1 || choice_.alone()) {
@@ -269,6 +224,7 @@ void FastSolver::advance(std::span<const Pose> from, std::span<const Pose> to) {
     if (team_.size() > 1)
         choice_.record(std::chrono::duration<double>(Clock::now() - start).count());
     sum_reports();
+    contact_.set_planes({});
 }
 
 void FastSolver::sweep(const ConstraintSet& set) {
@@ -352,6 +308,27 @@ void FastSolver::correct(int thread, int threads, bool with_frames, const Chunks
         coarse_.conclude(length);
 }
 
+/// Rounds of looking at all samples and moving the corners of those that are too near to a solid.
+template <typename Meet>
+void FastSolver::guard_samples(int thread, int threads, int substep, const Meet& meet) {
+    const int rounds = contact_.is_last(substep) ? SampleGuard::most_rounds : 1;
+    bool settled = false;
+    for (int round = 0; round < rounds && !settled; ++round) {
+        contact_.check_samples(arrays(), thread, threads, substep, settings_);
+        meet();
+        settled = !contact_.samples_violated();
+        if (settled)
+            break;
+        if (thread == 0)
+            contact_.resolve_samples(arrays(), substep, round);
+        meet();
+        // Within rounding of the limit the lanes see what the closer look does not.
+        settled = !contact_.moved_samples() && round >= SampleGuard::push_rounds;
+    }
+    if (thread == 0 && contact_.is_last(substep))
+        contact_.end_frame(settled);
+}
+
 void FastSolver::run_frame(int thread, int threads, std::span<const Pose> to) {
     const auto share = [&](std::size_t count, int t) {
         return count * static_cast<std::size_t>(t) / static_cast<std::size_t>(threads);
@@ -380,17 +357,17 @@ void FastSolver::run_frame(int thread, int threads, std::span<const Pose> to) {
         stage_seconds_[s] += std::chrono::duration<double>(now - lap).count();
         lap = now;
     };
-    const auto solids_of = [&](int k) {
-        return solid_steps_.data() + static_cast<std::size_t>(k) * solids_.size();
-    };
     const auto predict = [&](std::size_t c, const GroupRange& range, int k) {
-        kernels_.predict(arrays(), range.begin, range.end, solids_of(k), settings_);
-        place(c, solids_of(k));
+        kernels_.predict(arrays(), range.begin, range.end, contact_.steps(k), settings_);
+        place(c, contact_.steps(k));
         if (!coarse_.empty())
             coarse_.clear(range);
     };
 
-    for_chunks([&](std::size_t c, const GroupRange& range) { predict(c, range, 0); });
+    for_chunks([&](std::size_t c, const GroupRange& range) {
+        contact_.begin_frame(arrays(), range);
+        predict(c, range, 0);
+    });
     meet();
     stage(predict_stage);
     for (int k = 0; k < substeps_; ++k) {
@@ -412,7 +389,19 @@ void FastSolver::run_frame(int thread, int threads, std::span<const Pose> to) {
         stage(volume_stage);
         const StepSettings settings = settings_after_volume();
         for_chunks([&](std::size_t c, const GroupRange& range) {
-            kernels_.finish(arrays(), range.begin, range.end, solids_of(k), settings, contact_sums_[c]);
+            std::fill_n(contact_.step_travel(c), problem_.solids.size(), 0.0f);
+            kernels_.finish(arrays(), range.begin, range.end, contact_.steps(k), settings, contact_sums_[c],
+                            contact_.step_travel(c));
+            contact_.guard(arrays(), range, k, contact_sums_[c]);
+            contact_.hold_planes(arrays(), c, k, contact_sums_[c]);
+        });
+        meet();
+        stage(contact_stage);
+        if (contact_.has_samples()) {
+            guard_samples(thread, threads, k, meet);
+            stage(sample_stage);
+        }
+        for_chunks([&](std::size_t c, const GroupRange& range) {
             if (k + 1 < substeps_)
                 predict(c, range, k + 1);
             else
@@ -420,7 +409,7 @@ void FastSolver::run_frame(int thread, int threads, std::span<const Pose> to) {
         });
         if (k + 1 < substeps_)
             meet();
-        stage(contact_stage);
+        stage(predict_stage);
     }
 }
 
@@ -428,7 +417,7 @@ std::size_t FastSolver::state_bytes() const {
     return bytes_of(records_, groups_, slack_, carry_, fixed_, positions_, plan_.edges, plan_.hinges,
                     plan_.rings, plan_.record_of_vertex, vertex_of_record_, plan_.inverse_mass,
                     plan_.ring_base, plan_.ring_first, plan_.ring_length, problem_.body_of_vertex) +
-           coarse_.bytes();
+           coarse_.bytes() + contact_.bytes();
 }
 
 /// Positions in the caller's order and frame.
@@ -451,7 +440,11 @@ void FastSolver::sum_reports() {
         report_.contacts += part.contacts;
         report_.unresolved += part.unresolved;
         report_.non_finite += part.non_finite;
+        vertex_counts_.slid += part.slid;
+        vertex_counts_.ejected += part.ejected;
+        vertex_counts_.impossible += part.impossible;
     }
+    set_guard_counts(report_, vertex_counts_, contact_.counts());
     for (std::size_t s = 0; s < stage_count; ++s)
         report_.stage_seconds[stage_names[s]] = stage_seconds_[s];
 }

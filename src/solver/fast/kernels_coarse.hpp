@@ -2,7 +2,7 @@
 // The parts of the coarse step that visit every constraint or vertex, for any width of lanes: forces, their sums over clusters, and
 // the displacement that follows from the clusters' motion.
 
-#include "solver/fast/kernels_vertices.hpp"
+#include "solver/fast/kernels_samples.hpp"
 
 namespace fascicle::solver::fast {
 
@@ -330,6 +330,7 @@ constexpr Kernels make_kernels(const char* name) {
             project_hinges<L>,
             volume_gradients<L>,
             finish_substep<L>,
+            check_samples<L>,
             predict_substep<L>,
             place_fixed<L>,
             edge_forces<L>,

@@ -132,7 +132,7 @@ inline constexpr float least_gradient = 0.3f;    ///< below, a gradient says not
 template <class L>
 inline void resolve_contacts(const SolidStep* solids, const StepSettings& s, typename L::I free,
                              const Vec<L>& start, float* slack, std::size_t q, Vec<L>& x, Vec<L>& normal,
-                             typename L::I& touched, ContactSums& sums) {
+                             typename L::I& touched, typename L::I& unsettled, ContactSums& sums) {
     using V = typename L::V;
     using I = typename L::I;
     const V zero = L::splat(0.0f), one = L::splat(1.0f), offset = L::splat(s.offset);
@@ -196,6 +196,7 @@ inline void resolve_contacts(const SolidStep* solids, const StepSettings& s, typ
                 }
         }
         touched |= moved;
+        unsettled = moved; // of the last pass: nobody has looked where they are now
         if (!L::any(moved))
             break;
     }
@@ -203,16 +204,64 @@ inline void resolve_contacts(const SolidStep* solids, const StepSettings& s, typ
     sums.unresolved += L::count(trapped);
 }
 
+/// The larger of `most` and all lanes; NaN counts as nothing.
+template <class L>
+inline float largest(typename L::V v, float most) {
+    for (int i = 0; i < L::width; ++i)
+        most = v[i] > most ? v[i] : most;
+    return most;
+}
+
+/// Solids whose slack at the start of a substep is remembered until its end; of others the hard bound is taken.
+inline constexpr int remembered_solids = 4;
+
+/// The lanes of which it is not certain that they have stayed `least` away from the solid on their straight way as it sees them: with s
+/// the slack at the start and at the end and l the length of the way, (s0 + s1 - l) / 2 bounds the slack between from below. Where that is not
+/// enough, three points between are looked up.
+template <class L>
+inline typename L::I suspects_of(const SolidStep& solid, const StepSettings& s, const Vec<L>& start,
+                                 const Vec<L>& x, typename L::V way, typename L::V s0, typename L::V s1,
+                                 typename L::I free) {
+    using V = typename L::V;
+    using I = typename L::I;
+    const V lowest = L::splat((s.least - s.offset) * solid.per_slope), twice = lowest + lowest;
+    I bad = free & ((s1 < lowest) | (s0 + s1 - way < twice));
+    if (!L::any(bad))
+        return bad;
+    Vec<L> with = start;
+    if (solid.moves) {
+        const Vec<L> d = affine<L>(solid.carry, start);
+        with = {start.x + d.x, start.y + d.y, start.z + d.z};
+    }
+    const V quarter = L::splat(0.25f) * way;
+    V last = s0;
+    I still = s1 < lowest;
+    for (int k = 1; k <= 3; ++k) {
+        const V t = L::splat(0.25f * static_cast<float>(k));
+        const Vec<L> p{L::fma(t, x.x - with.x, with.x), L::fma(t, x.y - with.y, with.y),
+                       L::fma(t, x.z - with.z, with.z)};
+        V value;
+        Vec<L> gradient;
+        sample_grid<L>(solid, affine<L>(solid.to_grid, p), value, gradient);
+        const V here = (value - L::splat(s.offset)) * L::splat(solid.per_slope);
+        still |= (here < lowest) | (last + here - quarter < twice);
+        last = here;
+    }
+    still |= last + s1 - quarter < twice;
+    return bad & still;
+}
+
 /// The end of a substep: volume correction, contact, and nothing that is not finite gets through.
 template <class L>
 void finish_substep(const VertexArrays& v, std::size_t begin, std::size_t end, const SolidStep* solids,
-                    const StepSettings& s, ContactSums& sums) {
+                    const StepSettings& s, ContactSums& sums, float* travel) {
     using V = typename L::V;
     using I = typename L::I;
     const V zero = L::splat(0.0f), gain = L::splat(s.volume_gain);
     for (std::size_t g = begin; g < end; ++g) {
         VertexGroup& group = v.groups[g];
         I any_touched = L::splat_int(0);
+        std::uint32_t suspects = 0;
         for (std::size_t q = 0; q < packet; q += L::width) {
             V r[4];
             L::load_row(v.records + 4 * (packet * g + q), r);
@@ -232,21 +281,41 @@ void finish_substep(const VertexArrays& v, std::size_t begin, std::size_t end, c
                      L::fma(step, gradient.z, r[2])};
             const Vec<L> start = load_vec<L>(group.start, q);
             Vec<L> normal{zero, zero, zero};
-            I touched = L::splat_int(0);
-            for (int b = 0; b < s.solids; ++b) {
+            I touched = L::splat_int(0), unsettled = L::splat_int(0), used_up = L::splat_int(0);
+            float* const slack = v.slack + packet * g * static_cast<std::size_t>(s.solids) + q;
+            const auto way_to = [&](int b) {
                 Vec<L> way = x - start;
                 if (solids[b].moves) {
                     const Vec<L> d = affine<L>(solids[b].carry, start);
                     way = way - d;
                 }
-                float* left =
-                    v.slack +
-                    packet * (g * static_cast<std::size_t>(s.solids) + static_cast<std::size_t>(b)) + q;
-                L::store(left, L::load(left) - L::sqrt(dot(way, way)));
+                return L::sqrt(dot(way, way));
+            };
+            V before[remembered_solids];
+            for (int b = 0; b < s.solids; ++b) {
+                const V way = way_to(b);
+                travel[b] = largest<L>(way, travel[b]);
+                float* left = slack + packet * static_cast<std::size_t>(b);
+                const V old = L::load(left);
+                if (b < remembered_solids)
+                    before[b] = old;
+                L::store(left, old - way);
+                used_up |= old - way < zero;
             }
-            resolve_contacts<L>(solids, s, free, start,
-                                v.slack + packet * g * static_cast<std::size_t>(s.solids), q, x, normal,
-                                touched, sums);
+            if (L::any(used_up & free)) {
+                resolve_contacts<L>(solids, s, free, start, slack - q, q, x, normal, touched, unsettled,
+                                    sums);
+                I bad = unsettled;
+                for (int b = 0; b < s.solids; ++b) {
+                    const V way = way_to(b);
+                    travel[b] = largest<L>(way, travel[b]);
+                    const V s0 = b < remembered_solids ? before[b]
+                                                       : L::splat((s.least - s.offset) * solids[b].per_slope);
+                    bad |= suspects_of<L>(solids[b], s, start, x, way, s0,
+                                          L::load(slack + packet * static_cast<std::size_t>(b)), free);
+                }
+                suspects |= L::mask_bits(bad & free) << q;
+            }
             store_vec<L>(group.normal, q, normal);
             any_touched |= touched;
             const V check = (x.x - x.x) + (x.y - x.y) + (x.z - x.z); // zero, or NaN
@@ -255,6 +324,7 @@ void finish_substep(const VertexArrays& v, std::size_t begin, std::size_t end, c
                 sums.non_finite += L::count(bad);
                 x = select<L>(bad, start, x);
                 store_vec<L>(group.carried, q, select<L>(bad, start, load_vec<L>(group.carried, q)));
+                suspects |= L::mask_bits(bad) << q; // its slack is not finite either
             }
             r[0] = free ? x.x : r[0];
             r[1] = free ? x.y : r[1];
@@ -263,6 +333,7 @@ void finish_substep(const VertexArrays& v, std::size_t begin, std::size_t end, c
             L::store_row(v.records + 4 * (packet * g + q), r);
         }
         group.touched = L::any(any_touched) ? 1u : 0u;
+        group.suspects = suspects;
     }
 }
 

@@ -19,6 +19,7 @@ struct LanesAvx2 {
     static V fnma(V a, V b, V c) { return _mm256_fnmadd_ps(a, b, c); }
     static V sqrt(V a) { return _mm256_sqrt_ps(a); }
     static int bits(I m) { return _mm256_movemask_ps(reinterpret_cast<__m256>(m)); }
+    static std::uint32_t mask_bits(I m) { return static_cast<std::uint32_t>(bits(m)); }
     static bool any(I m) { return bits(m) != 0; }
     static int count(I m) { return __builtin_popcount(static_cast<unsigned>(bits(m))); }
     static I truncate(V a) { return reinterpret_cast<I>(_mm256_cvttps_epi32(a)); }

@@ -19,6 +19,7 @@ struct LanesAvx512 {
     static V fnma(V a, V b, V c) { return _mm512_fnmadd_ps(a, b, c); }
     static V sqrt(V a) { return _mm512_sqrt_ps(a); }
     static __mmask16 bits(I m) { return _mm512_movepi32_mask(reinterpret_cast<__m512i>(m)); }
+    static std::uint32_t mask_bits(I m) { return bits(m); }
     static bool any(I m) { return bits(m) != 0; }
     static int count(I m) { return __builtin_popcount(bits(m)); }
     static I truncate(V a) { return reinterpret_cast<I>(_mm512_cvttps_epi32(a)); }

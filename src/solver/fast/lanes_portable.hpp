@@ -25,6 +25,10 @@ struct LanesPortable {
     static V gather(const float* base, I index) {
         return V{base[index[0]], base[index[1]], base[index[2]], base[index[3]]};
     }
+    /// Bit i: lane i of the mask.
+    static std::uint32_t mask_bits(I m) {
+        return (m[0] != 0 ? 1u : 0u) | (m[1] != 0 ? 2u : 0u) | (m[2] != 0 ? 4u : 0u) | (m[3] != 0 ? 8u : 0u);
+    }
     /// Bits of `bits` from position `from` as a mask.
     static I mask_from_bits(std::uint32_t bits, int from) {
         return I{-static_cast<std::int32_t>(bits >> from & 1u),

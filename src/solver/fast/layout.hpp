@@ -40,6 +40,19 @@ struct alignas(64) VertexGroup {
     std::uint32_t ring_first;  ///< row of 16 in the list of ring indices
     std::uint32_t ring_length; ///< rows: the ring's vertices in order, the first one repeated at the end
     std::uint32_t touched;     ///< whether any vertex had a contact in the last substep
+    std::uint32_t
+        suspects; ///< bit i: vertex i may have come too near to a solid or through it, see clamp_motion()
+};
+
+/// Sixteen contact samples of equal weights; see ContactSample. Corners count from `base`; padding repeats the first sample.
+struct alignas(64) SamplePacket {
+    std::uint16_t p[3][packet];
+    float weight[3];
+    float limit;             ///< of the solid near_solid: the least of the samples' limits
+    std::int32_t near_solid; ///< -1: none has a limit of its own
+    std::uint32_t base;
+    std::uint16_t first_chunk, last_chunk; ///< of vertices, that the corners lie in
+    std::uint32_t count;
 };
 
 /// Vertices of one group that are fixed to one solid.
@@ -95,6 +108,7 @@ struct SolidStep {
 /// What a substep does with every vertex after the constraints.
 struct StepSettings {
     float offset; ///< wanted distance to solids
+    float least;  ///< hard bound below it
     float friction;
     float keep;         ///< exp(-damping h)
     float volume_gain;  ///< multiplier of the volume gradient, already limited
@@ -115,6 +129,7 @@ struct ContactSums {
     std::int64_t contacts = 0;
     std::int64_t unresolved = 0;
     std::int64_t non_finite = 0;
+    std::int64_t slid = 0, ejected = 0, impossible = 0; ///< by the hard bound
 };
 
 /// Arrays of all vertices, by group.
@@ -135,8 +150,14 @@ struct Kernels {
     /// relax >= 1: a hinge gives way by at least relax alpha~, however small its gradient.
     void (*hinges)(float* records, const HingePacket* packets, std::size_t count, float relax);
     void (*volume)(const VertexArrays& v, std::size_t begin, std::size_t end, VolumeSums& sums);
+    /// travel: by solid, how far any of the vertices has moved at most as the solid sees it.
     void (*finish)(const VertexArrays& v, std::size_t begin, std::size_t end, const SolidStep* solids,
-                   const StepSettings& settings, ContactSums& sums);
+                   const StepSettings& settings, ContactSums& sums, float* travel);
+    /// travel: as that of finish, a row of `stride` for each chunk. slack: solids a packet. violations: bits of the samples that are nearer to a solid than they may be. Returns how many
+    /// packets have some.
+    std::size_t (*samples)(const float* records, const SamplePacket* packets, std::size_t begin,
+                           std::size_t end, const SolidStep* solids, const StepSettings& settings,
+                           const float* travel, std::size_t stride, float* slack, std::uint16_t* violations);
     void (*predict)(const VertexArrays& v, std::size_t begin, std::size_t end, const SolidStep* solids,
                     const StepSettings& settings);
     void (*place)(const VertexArrays& v, const FixedGroup* fixed, std::size_t count, const SolidStep* solids);

@@ -7,8 +7,10 @@
 #include "solver/constraints/dihedral.hpp"
 #include "solver/constraints/distance.hpp"
 #include "solver/constraints/volume.hpp"
-#include "solver/contact/solid_contact.hpp"
-#include "solver/edge_constraints.hpp"
+#include "solver/contact/contact_setup.hpp"
+#include "solver/contact/grid_slope.hpp"
+#include "solver/contact/plane_contact.hpp"
+#include "solver/contact/sample_guard.hpp"
 #include "solver/fast/fast_solver.hpp"
 
 #include <algorithm>
@@ -26,6 +28,10 @@ public:
     explicit XpbdSolver(const SoftBodyProblem& problem);
     void advance(std::span<const Pose> from, std::span<const Pose> to) override;
     const Points& positions() const override { return x_; }
+    bool takes_planes() const override { return true; }
+    void set_planes(std::span<const PointPlane> planes) override {
+        planes_.assign(planes.begin(), planes.end());
+    }
     const StepReport& report() const override { return report_; }
     const std::vector<int>& body_of_vertex() const override { return problem_.body_of_vertex; }
     std::size_t state_bytes() const override;
@@ -33,7 +39,8 @@ public:
 private:
     void substep(std::span<const Pose> from, std::span<const Pose> to, double s0, double s1);
     void predict(double h);
-    void resolve_contacts();
+    void resolve_contacts(double share);
+    void guard_samples(bool last);
     void update_velocities(double h);
 
     SoftBodyProblem problem_;
@@ -49,7 +56,15 @@ private:
     Points carried_; ///< by how much the solids' motion took each point along in this substep; no part of its
                      ///< velocity
     std::vector<double> inverse_mass_;
-    std::vector<ContactSolid> solids_;
+    class GuardedVertices;
+    std::vector<ContactSolid> solids_, frame_solids_; ///< during the substep, during the frame
+    Points frame_start_;
+    std::vector<PointPlane> planes_; ///< of this frame
+    std::vector<ContactSample> samples_;
+    std::vector<std::uint8_t> near_; ///< by sample: substeps to look at it in; found to be too near
+    std::vector<std::uint8_t> found_;
+    SampleGuard guard_;
+    GuardCounts vertex_counts_, sample_counts_;
     std::vector<ContactResult> touched_;
     Points contact_normals_;  ///< of the last substep's contacts, zero where there was none
     CoarseCorrection coarse_; ///< empty when solver.coarse is 0
@@ -78,8 +93,7 @@ XpbdSolver::XpbdSolver(const SoftBodyProblem& problem)
       velocity_(x_.size(), Vec3::Zero()), carried_(x_.size(), Vec3::Zero()),
       inverse_mass_(inverse_masses(problem, topology_)), touched_(x_.size()) {
     FASCICLE_ASSERT(problem_.body_of_vertex.size() == x_.size());
-    contact_.offset = problem.parameters.get("contact.offset_mm") / problem.unit_mm;
-    contact_.friction = problem.parameters.get("contact.friction");
+    contact_ = contact_settings(problem);
     const int clusters = coarse_clusters(problem, inverse_mass_);
     if (clusters > 0)
         coarse_ =
@@ -92,20 +106,35 @@ XpbdSolver::XpbdSolver(const SoftBodyProblem& problem)
     }
     for (const SolidBody& solid : problem_.solids) {
         FASCICLE_ASSERT(solid.grid != nullptr);
-        solids_.push_back({solid.grid.get(), Pose{}, Pose{}});
+        solids_.push_back({solid.grid.get(), Pose{}, Pose{}, largest_slope(*solid.grid, problem.threads)});
     }
+    frame_solids_ = solids_;
+    if (!solids_.empty())
+        samples_ = contact_samples_of(problem_, topology_);
+    near_.assign(samples_.size(), 0);
+    found_ = near_;
+    guard_ = SampleGuard(x_.size());
 }
 
 void XpbdSolver::advance(std::span<const Pose> from, std::span<const Pose> to) {
     FASCICLE_ASSERT(from.size() == solids_.size() && to.size() == solids_.size());
+    frame_start_ = x_;
+    for (std::size_t b = 0; b < solids_.size(); ++b) {
+        frame_solids_[b].before = from[b];
+        frame_solids_[b].now = to[b];
+    }
     for (int k = 0; k < substeps_; ++k)
         substep(from, to, double(k) / substeps_, double(k + 1) / substeps_);
+    set_guard_counts(report_, vertex_counts_, sample_counts_);
+    planes_.clear();
 }
 
 std::size_t XpbdSolver::state_bytes() const {
     return bytes_of(problem_.body_of_vertex, problem_.edge_softness, problem_.carry_weights, x_, before_,
-                    velocity_, carried_, inverse_mass_, touched_, contact_normals_) +
-           topology_.bytes() + edges_.bytes() + dihedrals_.bytes() + volume_.bytes() + coarse_.bytes();
+                    velocity_, carried_, inverse_mass_, touched_, contact_normals_, frame_start_, samples_,
+                    near_, found_) +
+           topology_.bytes() + edges_.bytes() + dihedrals_.bytes() + volume_.bytes() + coarse_.bytes() +
+           guard_.bytes();
 }
 
 void XpbdSolver::substep(std::span<const Pose> from, std::span<const Pose> to, double s0, double s1) {
@@ -133,8 +162,10 @@ void XpbdSolver::substep(std::span<const Pose> from, std::span<const Pose> to, d
     stage("dihedrals");
     volume_.project(x_, inverse_mass_, contact_normals_);
     stage("volume");
-    resolve_contacts(); // last, so that no other constraint pushes a vertex back in
+    resolve_contacts(s1); // last, so that no other constraint pushes a vertex back in
     stage("contact");
+    guard_samples(s1 == 1.0);
+    stage("samples");
     update_velocities(h);
     stage("velocity");
 }
@@ -164,8 +195,28 @@ void XpbdSolver::predict(double h) {
     });
 }
 
-void XpbdSolver::resolve_contacts() {
-    if (solids_.empty())
+class XpbdSolver::GuardedVertices final : public GuardedPoints {
+public:
+    explicit GuardedVertices(XpbdSolver& solver) : solver_(solver) {}
+    Vec3 now(int point) const override { return solver_.x_[at(point)]; }
+    Vec3 before(int point) const override { return solver_.before_[at(point)]; }
+    Vec3 at_frame_start(int point) const override { return solver_.frame_start_[at(point)]; }
+    bool is_free(int point) const override { return solver_.inverse_mass_[at(point)] != 0.0; }
+    void put(int point, const Vec3& x, const Vec3& normal, bool stopped) override {
+        solver_.x_[at(point)] = x;
+        if (!normal.isZero(0.0))
+            solver_.contact_normals_[at(point)] = normal;
+        if (stopped) // its velocity is what is left of the way without what carried it
+            solver_.carried_[at(point)] = x - solver_.before_[at(point)];
+    }
+
+private:
+    static std::size_t at(int point) { return static_cast<std::size_t>(point); }
+    XpbdSolver& solver_;
+};
+
+void XpbdSolver::resolve_contacts(double share) {
+    if (solids_.empty() && planes_.empty())
         return;
     contact_normals_.resize(x_.size(), Vec3::Zero());
     parallel_for(problem_.threads, x_.size(), 1024, [&](std::size_t begin, std::size_t end) {
@@ -175,9 +226,45 @@ void XpbdSolver::resolve_contacts() {
                 contact_normals_[i] = touched_[i].normal;
             }
     });
+    GuardedVertices points(*this);
+    for (std::size_t i = 0; i < x_.size(); ++i)
+        if (inverse_mass_[i] != 0.0 && x_[i].allFinite())
+            guard_point(points, static_cast<int>(i), solids_, false, contact_, vertex_counts_);
+    for (const PointPlane& plane : planes_)
+        report_.contacts +=
+            hold_to_plane(plane, plane.vertex, share, points, solids_, contact_, vertex_counts_) ? 1 : 0;
     for (const ContactResult& result : touched_) {
         report_.contacts += result.touched ? 1 : 0;
         report_.unresolved += result.outside ? 0 : 1;
+    }
+}
+
+/// Rounds of looking at samples and moving the corners of those that are too near to a solid: in the last substep of a frame at all
+/// of them until none is, before once at those that were a short while ago.
+void XpbdSolver::guard_samples(bool last) {
+    constexpr std::uint8_t hot_substeps = 30;
+    GuardedVertices points(*this);
+    const int rounds = last ? SampleGuard::most_rounds : 1;
+    for (int round = 0; round < rounds; ++round) {
+        parallel_for(problem_.threads, samples_.size(), 1024, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                found_[i] = (last || near_[i] > 0) &&
+                            find_violation(samples_[i], samples_[i].at(x_), solids_, contact_).solid >= 0;
+        });
+        if (round == 0)
+            guard_.begin(frame_solids_);
+        bool moved = false;
+        for (std::size_t i = 0; i < samples_.size(); ++i) {
+            if (round == 0 && near_[i] > 0)
+                --near_[i];
+            if (found_[i] == 0)
+                continue;
+            near_[i] = hot_substeps;
+            moved |= guard_.resolve(samples_[i], round, points, solids_, contact_, sample_counts_);
+        }
+        if (!moved &&
+            (round >= SampleGuard::push_rounds || std::find(found_.begin(), found_.end(), 1) == found_.end()))
+            return;
     }
 }
 

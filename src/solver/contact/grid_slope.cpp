@@ -1,4 +1,4 @@
-#include "solver/fast/grid_slope.hpp"
+#include "solver/contact/grid_slope.hpp"
 
 #include "fascicle/base/parallel.hpp"
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace fascicle::solver::fast {
+namespace fascicle::solver {
 
 namespace {
 
@@ -60,4 +60,4 @@ double largest_slope(const DistanceGrid& grid, int threads) {
     return std::max(1.0, 1.0001 * std::sqrt(static_cast<double>(most)) / grid.spacing());
 }
 
-} // namespace fascicle::solver::fast
+} // namespace fascicle::solver
