@@ -10,16 +10,6 @@
 namespace fascicle {
 namespace {
 
-/// "x [mm]", "x (mm)" and "x_mm" are the same name.
-std::string plain_name(std::string name) {
-    std::replace_if(
-        name.begin(), name.end(), [](char c) { return c == ' ' || c == '[' || c == '(' || c == '-'; }, '_');
-    std::erase_if(name, [](char c) { return c == ']' || c == ')'; });
-    name.erase(std::unique(name.begin(), name.end(), [](char a, char b) { return a == '_' && b == '_'; }),
-               name.end());
-    return name;
-}
-
 struct Columns {
     int attachment = -1, bone = -1;
     int xyz[3] = {-1, -1, -1};
@@ -29,7 +19,7 @@ struct Columns {
 Columns find_columns(const CsvReader& csv, LengthUnit scene_unit) {
     std::vector<std::string> names;
     for (const std::string& name : csv.columns())
-        names.push_back(plain_name(name));
+        names.push_back(plain_column(name));
     const auto find = [&](const std::string& name) {
         const auto it = std::find(names.begin(), names.end(), name);
         return it == names.end() ? -1 : static_cast<int>(it - names.begin());

@@ -141,7 +141,20 @@ double CsvReader::number(int column) const {
 }
 
 void CsvReader::fail(const std::string& what, const std::string& expected) const {
-    io::TextScanner(bytes_, file_).fail_at(row_start_, what, expected);
+    fail_at(row_start_, what, expected);
+}
+
+void CsvReader::fail_at(std::size_t place, const std::string& what, const std::string& expected) const {
+    io::TextScanner(bytes_, file_).fail_at(place, what, expected);
+}
+
+std::string plain_column(std::string name) {
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c == ' ' || c == '[' || c == '(' || c == '-'; }, '_');
+    std::erase_if(name, [](char c) { return c == ']' || c == ')'; });
+    name.erase(std::unique(name.begin(), name.end(), [](char a, char b) { return a == '_' && b == '_'; }),
+               name.end());
+    return name;
 }
 
 } // namespace fascicle

@@ -9,6 +9,7 @@
 #include "fascicle/io/attachment_file.hpp"
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/mesh_file.hpp"
+#include "fascicle/io/motion_file.hpp"
 #include "fascicle/io/project_file.hpp"
 #include "fascicle/scene/embedded_scenes.hpp"
 
@@ -64,6 +65,13 @@ void require_one_source(const SceneRequest& r) {
         require_no_mesh_options(r, "--scene");
     if (!r.project.empty())
         require_no_mesh_options(r, "--project");
+    // A motion file is the whole motion: nothing of a hinge's is left to say.
+    const std::pair<bool, const char*> hinge_options[] = {{r.angle_deg.has_value(), "--angle-deg"},
+                                                          {r.hinge.has_value(), "--hinge"},
+                                                          {r.phases.has_value(), "--phases"}};
+    for (const auto& [is, option] : hinge_options)
+        if (is && !r.motion.empty())
+            fail_usage(option, "cannot go with --motion, which tells every frame", "one of the two");
 }
 
 void require_unique_names(const Scene& scene) {
@@ -198,14 +206,12 @@ LoadedScene load_meshes(const SceneRequest& r, const JobControl& control) {
         step();
         load_surface_fibres(muscle_named(scene, "--surface-fibres", name), path, loaded.notes);
     }
-    set_motion(loaded, r);
+    if (r.motion.empty())
+        set_motion(loaded, r);
     return loaded;
 }
 
-} // namespace
-
-LoadedScene load_scene(const SceneRequest& request, const JobControl& control) {
-    require_one_source(request);
+LoadedScene load_source(const SceneRequest& request, const JobControl& control) {
     if (!request.embedded.empty()) {
         control.checkpoint("make the scene", 0.0);
         return {make_embedded_scene(request.embedded, request.threads), {}};
@@ -215,6 +221,16 @@ LoadedScene load_scene(const SceneRequest& request, const JobControl& control) {
         return {std::move(project.scene), std::move(project.notes)};
     }
     return load_meshes(request, control);
+}
+
+} // namespace
+
+LoadedScene load_scene(const SceneRequest& request, const JobControl& control) {
+    require_one_source(request);
+    LoadedScene loaded = load_source(request, control);
+    if (!request.motion.empty())
+        load_motion(loaded.scene, request.motion, loaded.notes);
+    return loaded;
 }
 
 Bone load_bone(const fs::path& path, std::vector<std::string>& notes) {
@@ -251,6 +267,20 @@ void load_surface_fibres(Muscle& muscle, const fs::path& path, std::vector<std::
     say(path, file, notes);
     muscle.surface_fibres = std::make_shared<const Polylines>(joined_lines(file.lines));
     muscle.surface_fibres_source = {path.string(), file.hash};
+}
+
+void load_motion(Scene& scene, const fs::path& path, std::vector<std::string>& notes) {
+    const std::string bytes = read_file(path);
+    scene.timeline = read_motion(bytes, path.string(), scene);
+    StateHash hash;
+    hash.add_bytes(bytes.data(), bytes.size());
+    scene.motion_source = {path.string(), hash.hex()};
+    std::string moving;
+    for (std::size_t b = 0; b < scene.bones.size(); ++b)
+        if (scene.timeline.bone_tracks[b].moves())
+            moving += (moving.empty() ? "" : ", ") + scene.bones[b].name;
+    notes.push_back(path.filename().string() + ": moves " + (moving.empty() ? "no bone" : moving) + ", " +
+                    std::to_string(scene.timeline.last_frame) + " frames");
 }
 
 LengthUnit guess_unit(const Scene& scene) {

@@ -79,6 +79,15 @@ Json parameters_json(const ParamSet& parameters) {
     return json;
 }
 
+/// Seconds per stage of the solver, summed over the frames and the muscles; of several threads the first one counts.
+Json solve_stages(const Recording& recording) {
+    std::map<std::string, double> stages;
+    for (int k = 1; k < recording.frame_count(); ++k)
+        for (const auto& [stage, seconds] : recording.frame(k)->report.stage_seconds)
+            stages[stage] += seconds;
+    return Json(stages);
+}
+
 } // namespace
 
 std::string run_summary(const Recording& recording, const RunOutputOptions& options,
@@ -96,6 +105,7 @@ std::string run_summary(const Recording& recording, const RunOutputOptions& opti
     json["frames"] = last ? last->index : 0;
     json["prepare_seconds"] = recording.prepare_seconds();
     json["solve_seconds"] = speed.solve_seconds;
+    json["stage_seconds"] = solve_stages(recording);
     json["fps_median"] = speed.fps_median;
     json["fps_mean"] = speed.fps_mean;
     json["state_hash"] = last ? state_hash(*last) : std::string();
@@ -130,6 +140,7 @@ std::string run_summary(const Recording& recording, const RunOutputOptions& opti
         json["bones"].push_back(thing_json(bone));
         add_input(inputs, bone.source);
     }
+    add_input(inputs, scene.motion_source);
     if (scene.timeline.hinge) {
         const Hinge& hinge = *scene.timeline.hinge;
         json["hinge"] = {{"centre", {hinge.centre.x(), hinge.centre.y(), hinge.centre.z()}},

@@ -66,6 +66,7 @@ const fs::path& RunWriter::Impl::checked(const fs::path& folder, const Scene& sc
             throw_error(folder.string(), "the output would replace the input " + source.path,
                         "another output folder", ErrorKind::usage);
     };
+    check(scene.motion_source);
     for (const Bone& bone : scene.bones)
         check(bone.source);
     for (const Muscle& muscle : scene.muscles) {

@@ -4,6 +4,7 @@
 #include "fascicle/geometry/bvh.hpp"
 #include "fascicle/geometry/grid_codec.hpp"
 #include "fascicle/geometry/volume.hpp"
+#include "simulation/bone_overlap.hpp"
 #include "simulation/clean_up.hpp"
 #include "simulation/muscle_fields.hpp"
 #include "simulation/resolve_attachments.hpp"
@@ -18,6 +19,7 @@ namespace fascicle {
 namespace {
 
 constexpr double sweep_clearance_mm = 0.5;
+constexpr double least_overlap_mm = 0.1; // as for penetrating vertices
 
 /// Hands the time since the last call to a stage.
 class Lap {
@@ -123,6 +125,16 @@ PreparedBones prepare_bones(const Scene& scene, bool grids, int threads, const J
     return bones;
 }
 
+void report_overlaps(const Scene& scene, const PreparedBones& bones, const JobControl& control,
+                     std::vector<std::string>& notes) {
+    std::vector<OverlapBone> solids;
+    for (std::size_t b = 0; b < bones.grids.size(); ++b)
+        solids.push_back({scene.bones[b].mesh.get(), &bones.trees[b], bones.grids[b].get()});
+    const double least = least_overlap_mm / millimetres_per_unit(scene.unit);
+    for (const BoneOverlap& overlap : find_bone_overlaps(solids, scene.timeline, least, control))
+        notes.push_back(overlap_note(scene, overlap));
+}
+
 void describe_attachments(const Scene& scene, const Muscle& muscle,
                           const std::vector<Attachment>& attachments, std::vector<std::string>& notes) {
     for (const Attachment& a : attachments)
@@ -206,6 +218,8 @@ PreparedScene prepare_scene(const Scene& scene, int threads, const JobControl& c
     Lap lap(prepared.stage_seconds);
     const PreparedBones bones =
         prepare_bones(scene, prepared.method->needs_grid, threads, control, cache, prepared.notes, lap);
+    report_overlaps(scene, bones, control, prepared.notes);
+    lap.end("overlaps");
     for (std::size_t m = 0; m < scene.muscles.size(); ++m) {
         control.checkpoint("prepare", 0.8 + 0.2 * double(m) / double(scene.muscles.size()));
         prepared.muscles.push_back(

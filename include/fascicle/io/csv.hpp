@@ -44,6 +44,10 @@ public:
     double number(int column) const;
     /// Error at the row. "file, line 7: what; expected ..."
     [[noreturn]] void fail(const std::string& what, const std::string& expected = {}) const;
+    /// Where the row begins, and an error at such a place, for what shows only when later rows are read.
+    std::size_t row_place() const { return row_start_; }
+    [[noreturn]] void fail_at(std::size_t place, const std::string& what,
+                              const std::string& expected = {}) const;
 
 private:
     /// Splits the next line (or lines: quoted cells may hold line ends) into cells_.
@@ -57,5 +61,8 @@ private:
     std::vector<std::string> columns_;
     std::vector<std::string> cells_;
 };
+
+/// Column name with its unit as a suffix: "x [mm]", "x (mm)" and "x_mm" are the same name.
+std::string plain_column(std::string name);
 
 } // namespace fascicle

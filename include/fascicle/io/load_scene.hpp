@@ -25,6 +25,7 @@ struct SceneRequest {
     std::optional<HingeRequest> hinge;
     std::optional<double> angle_deg;
     std::optional<Phases> phases;
+    std::filesystem::path motion; ///< --motion FILE.csv: keyed poses instead of a hinge, of any source
     std::vector<std::pair<std::string, std::filesystem::path>> attachments;    ///< muscle name, CSV
     std::vector<std::pair<std::string, std::filesystem::path>> surface_fibres; ///< muscle name, polylines
     std::optional<LengthUnit> unit;
@@ -37,9 +38,10 @@ struct LoadedScene {
 };
 
 /// Reads, mends and checks every file; names are file names without extension. The unit is guessed when not given
-/// (diagonal of everything below 5: metres). Moving bones turn about the hinge by the angle, over the phases.
-/// Error (usage) when the request contradicts itself: several sources or none, two things of one name, a motion without
-/// moving bones, attachments for a muscle that is not there. Error (failed) for every bad file.
+/// (diagonal of everything below 5: metres). Moving bones turn about the hinge by the angle, over the phases; with a motion
+/// file exactly those bones move that it moves.
+/// Error (usage) when the request contradicts itself: several sources or none, two things of one name, a hinge motion
+/// without moving bones or beside a motion file, attachments for a muscle that is not there. Error (failed) for every bad file.
 LoadedScene load_scene(const SceneRequest& request, const JobControl& control = {});
 
 /// "cx,cy,cz;ax,ay,az", a point and a direction; ";ax,ay,az" leaves the centre to be fitted. Error (usage).
@@ -60,6 +62,8 @@ Muscle load_muscle(const std::filesystem::path& path, std::vector<std::string>& 
 void load_attachments(Muscle& muscle, const std::filesystem::path& path, LengthUnit unit);
 /// Replaces the muscle's surface fibres; segments that share points are joined to polylines.
 void load_surface_fibres(Muscle& muscle, const std::filesystem::path& path, std::vector<std::string>& notes);
+/// Replaces the scene's timeline by that of a motion file (motion_file.hpp).
+void load_motion(Scene& scene, const std::filesystem::path& path, std::vector<std::string>& notes);
 
 /// Metres when the diagonal of all meshes together is below 5, else millimetres.
 LengthUnit guess_unit(const Scene& scene);

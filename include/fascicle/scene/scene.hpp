@@ -20,7 +20,7 @@ enum class LengthUnit { millimetre, metre };
 double millimetres_per_unit(LengthUnit unit);
 const char* to_text(LengthUnit unit); ///< "mm" or "m"
 
-/// Where a mesh came from; empty path: made by the program.
+/// Where a mesh (or a motion) came from; empty path: made by the program.
 struct MeshSource {
     std::string path;
     std::string hash; ///< StateHash of the file's bytes, empty for made meshes
@@ -53,6 +53,7 @@ struct Scene {
     std::vector<Bone> bones;
     std::vector<Muscle> muscles;
     Timeline timeline;
+    MeshSource motion_source; ///< the file that the timeline came from; empty: from none
     ParamSet parameters = default_parameters();
 
     int bone_index(std::string_view bone_name) const;     ///< -1 when there is none

@@ -17,7 +17,8 @@ struct PreparedScene {
     const SolverMethod* method = nullptr;
     std::vector<PreparedMuscle> muscles; ///< one per muscle of the scene
     std::vector<std::string> notes;
-    /// Seconds per stage: "trees" (search trees of the bones, grids found in the cache), "grids" (those made), "muscles" (attachments, fields).
+    /// Seconds per stage: "trees" (search trees of the bones, grids found in the cache), "grids" (those made), "overlaps" (bones inside
+    /// each other), "muscles" (attachments, fields).
     std::map<std::string, double> stage_seconds;
 };
 

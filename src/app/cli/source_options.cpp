@@ -52,6 +52,8 @@ void add_source_options(CLI::App& app, SourceOptions& options) {
         });
     add(app, options, "--phases", "OUT,BACK,REST", "Frames there, back and at rest (100,100,100)", false,
         [&r](const std::string& text) { r.phases = parse_phases(text); });
+    add(app, options, "--motion", "FILE.csv", "Keyed poses of any bones, instead of a hinge", false,
+        [&r](const std::string& text) { r.motion = text; });
     add(app, options, "--attachments", "MUSCLE=FILE.csv", "Outlines of origin and insertion", true,
         into(r.attachments, "--attachments"));
     add(app, options, "--surface-fibres", "MUSCLE=FILE", "Superficial fibres as polylines", true,

@@ -13,7 +13,9 @@ void set_hinge(Document& document, const Hinge& hinge, double angle_rad, const P
     if (!(hinge.axis.norm() > 0))
         throw_error("hinge axis", "its length is zero", "a direction", ErrorKind::usage);
     Timeline timeline = make_hinge_timeline(hinge, angle_rad, phases, bones, moving);
-    document.edit().timeline = std::move(timeline);
+    Scene& scene = document.edit();
+    scene.timeline = std::move(timeline);
+    scene.motion_source = {};
     document.commit("Set motion");
 }
 
