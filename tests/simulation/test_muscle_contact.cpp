@@ -133,8 +133,9 @@ TEST_CASE("muscle contact: an overlap of a millimetre at rest is kept and does n
     SECTION("while they are pressed together") {
         Recording recording(std::make_shared<Scene>(scene));
         run_simulation(recording, {2}, {});
+        // Half of what is too much is mended a frame, and the bone comes on: 4 mm into two balls of 20 mm leave 0.45 mm.
         for (int f = 0; f < recording.frame_count(); f += 5)
-            CHECK(overlap(scene, *recording.frame(f)) < at_rest + 0.3);
+            CHECK(overlap(scene, *recording.frame(f)) < at_rest + 0.6);
     }
 }
 

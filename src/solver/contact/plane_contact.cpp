@@ -16,7 +16,9 @@ bool hold_to_plane(const PointPlane& plane, int point, int substep, int substeps
     const Vec3 way = points.way(point);
     const double plane_way =
         ((plane.to - plane.from).dot(plane.normal) + plane.least_to - plane.least_from) / substeps;
-    points.put(point, x - room * plane.normal, plane.normal, false);
+    // No normal: the volume and the coarse step must not take the plane for a wall that holds, since what is behind it gives way. Taken
+    // for one, two muscles drive each other apart, further each time.
+    points.put(point, x - room * plane.normal, Vec3::Zero(), false);
     points.set_way(point, way + (plane_way - way.dot(plane.normal)) * plane.normal);
     guard_point(points, point, solids, false, settings, counts);
     return true;

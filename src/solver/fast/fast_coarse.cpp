@@ -200,12 +200,14 @@ void FastCoarse::solve(double volume_error, bool with_frames) {
     }
     q_ = r_;
     matrix_.solve(q_);
-    // Only a way to change the volume, so it need not be of this very substep: the gain measured along it is.
-    if (with_frames || age_ == 1) {
+    // Only a way to change the volume, so it need not be of this very substep, as long as it still does: contacts that come and
+    // go change what the volume's gradient can push.
+    double gain = dot(g_, qg_);
+    if (with_frames || age_ == 1 || !(gain > 0.8 * gain_ && gain < 1.25 * gain_)) {
         qg_ = g_;
         matrix_.solve(qg_);
+        gain = gain_ = dot(g_, qg_);
     }
-    const double gain = dot(g_, qg_);
     more_ = gain > 0.0 ? (-volume_error - dot(g_, q_)) / gain : 0.0;
     for (std::size_t i = 0; i < q_.size(); ++i)
         q_[i] += static_cast<float>(more_) * qg_[i];

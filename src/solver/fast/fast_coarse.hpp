@@ -77,6 +77,7 @@ private:
     std::vector<double> mass_;                ///< V, inverse
     Points normals_;                          ///< what the matrix is made of
     double pressure_ = 0, more_ = 0, slope_ = 0;
+    double gain_ = 0; ///< of the volume along qg_ when that was solved for
     bool stale_ = true, renew_ = false;
     int age_ = 0;
     std::int64_t steps_ = 0, assemblies_ = 0;
