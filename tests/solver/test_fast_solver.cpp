@@ -209,7 +209,7 @@ TEST_CASE(
     const auto pick = [&](std::initializer_list<double> values) {
         return *(values.begin() + std::uniform_int_distribution<std::size_t>(0, values.size() - 1)(random));
     };
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     const int runs = 20; // ten times as slow there
 #else
     const int runs = 200;
