@@ -48,6 +48,8 @@ class SampleGuard {
 public:
     static constexpr int push_rounds = 3;
     static constexpr int most_rounds = 24;
+    /// A sample that was too near is looked at in every substep for so many: where a ridge lies under a face it will be again.
+    static constexpr std::uint8_t hot_substeps = 30;
 
     SampleGuard() = default;
     explicit SampleGuard(std::size_t point_count) : rides_(point_count, -1) {}

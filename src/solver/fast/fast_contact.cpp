@@ -16,8 +16,6 @@ namespace fascicle::solver::fast {
 namespace {
 
 constexpr std::size_t line = 16; // floats in a cache line
-/// A sample that was too near is looked at in every substep for so many: where a ridge lies under a face it will be again.
-constexpr std::uint8_t hot_substeps = 30;
 
 /// m and t of m x + t as a row-major 3 x 4 matrix of floats.
 void set_affine(float (&out)[12], const Mat3& m, const Vec3& t) {
@@ -350,7 +348,7 @@ void FastContact::resolve_samples(const VertexArrays& v, int substep, int round)
     for (std::size_t n = 0; n < packets_.size(); ++n) {
         if (violations_[n] == 0)
             continue;
-        hot_[n] = hot_substeps;
+        hot_[n] = SampleGuard::hot_substeps;
         for (std::uint32_t left = violations_[n]; left != 0; left &= left - 1)
             moved_ |= guard_.resolve(sample_of(n, static_cast<std::size_t>(__builtin_ctz(left))), round,
                                      records, solids, settings_, counts_);

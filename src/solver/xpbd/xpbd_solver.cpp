@@ -251,7 +251,6 @@ void XpbdSolver::resolve_contacts(int substep) {
 /// Rounds of looking at samples and moving the corners of those that are too near to a solid: in the last substep of a frame at all
 /// of them until none is, before once at those that were a short while ago.
 void XpbdSolver::guard_samples(bool last) {
-    constexpr std::uint8_t hot_substeps = 30;
     GuardedVertices points(*this);
     const int rounds = last ? SampleGuard::most_rounds : 1;
     for (int round = 0; round < rounds; ++round) {
@@ -268,7 +267,7 @@ void XpbdSolver::guard_samples(bool last) {
                 --near_[i];
             if (found_[i] == 0)
                 continue;
-            near_[i] = hot_substeps;
+            near_[i] = SampleGuard::hot_substeps;
             moved |= guard_.resolve(samples_[i], round, points, solids_, contact_, sample_counts_);
         }
         if (!moved &&
