@@ -21,6 +21,9 @@ struct CleanUpResult {
 CleanUpResult push_out_at_rest(Points& positions, const std::vector<int>& body_of_vertex,
                                std::span<const DistanceGrid* const> grids, double offset);
 
+/// An attached vertex that another bone comes nearer to than this is released.
+inline constexpr double sweep_clearance_mm = 0.5;
+
 /// Releases attached vertices that some other bone approaches during the motion to less than `clearance` (and less than at
 /// rest): they would be driven into it, since nothing may move them. Looks at up to 151 frames spread over the timeline.
 /// Returns the number of vertices released. Source: contact notes, "sweep test".

@@ -17,6 +17,11 @@ public:
     /// overlaps of a segmentation are kept, not mended.
     MuscleContact(const Scene& scene, const PreparedScene& prepared);
 
+    /// A vertex that no bone holds any more.
+    void release(std::size_t muscle, int vertex) {
+        muscles_[muscle].body_of_vertex[static_cast<std::size_t>(vertex)] = -1;
+    }
+
     bool empty() const { return muscles_.size() < 2; }
     /// Planes of every muscle for the frame in which bone b moves from from[b] to to[b], the muscles being at the positions given.
     /// Result: one list a muscle, by vertex; valid until the next call.

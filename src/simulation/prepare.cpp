@@ -18,7 +18,6 @@ namespace fascicle {
 
 namespace {
 
-constexpr double sweep_clearance_mm = 0.5;
 constexpr double least_overlap_mm = 0.1; // as for penetrating vertices
 
 /// Hands the time since the last call to a stage.

@@ -3,6 +3,7 @@
 #include "fascicle/simulation/prepare.hpp"
 #include "fascicle/simulation/scene_solver.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 namespace fascicle {
@@ -24,6 +25,7 @@ public:
         const auto start = Clock::now();
         PreparedScene prepared = prepare_scene(scene_, options_.threads, control_, options_.cache.get());
         solver_ = std::make_unique<SceneSolver>(scene_, prepared, options_.threads);
+        released_.assign(solver_->muscle_count(), 0);
         publish_attachments(prepared);
         for (std::string& note : prepared.notes)
             recording_.add_note(std::move(note));
@@ -57,7 +59,32 @@ private:
         solver_->advance(from, to);
         FrameReport report;
         report.solve_seconds = seconds_since(start);
+        note_released(frame);
         append_frame(frame, to, std::move(report));
+    }
+
+    /// Attachments that the solver gave up for this frame: a sentence, and no longer part of what the run says is attached.
+    void note_released(int frame) {
+        std::vector<std::vector<Attachment>> all;
+        for (std::size_t m = 0; m < solver_->muscle_count(); ++m) {
+            const std::size_t count = solver_->released(m).size() - released_[m];
+            if (count == 0)
+                continue;
+            if (all.empty())
+                all = recording_.attachments();
+            const auto first = solver_->released(m).begin() + static_cast<std::ptrdiff_t>(released_[m]);
+            for (Attachment& attachment : all[m])
+                std::erase_if(attachment.vertices, [&](int v) {
+                    return std::find(first, solver_->released(m).end(), v) != solver_->released(m).end();
+                });
+            std::erase_if(all[m], [](const Attachment& a) { return a.vertices.empty(); });
+            released_[m] += count;
+            recording_.add_note(scene_.muscles[m].name + ": " + std::to_string(count) +
+                                " attached vertices released in frame " + std::to_string(frame) +
+                                ", another bone came nearer than 0.5 mm to them");
+        }
+        if (!all.empty())
+            recording_.set_attachments(std::move(all));
     }
 
     void append_frame(int index, const std::vector<Pose>& poses, FrameReport report) {
@@ -115,6 +142,7 @@ private:
     const JobControl& control_;
     std::unique_ptr<SceneSolver> solver_;
     StepReport before_;
+    std::vector<std::size_t> released_;              ///< by muscle: attached vertices given up so far
     int first_ejected_ = -1, first_impossible_ = -1; ///< frames
 };
 

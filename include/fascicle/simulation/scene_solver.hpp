@@ -8,6 +8,7 @@ namespace fascicle {
 /// Pose of every bone of the scene at a frame, from its rest pose.
 std::vector<Pose> bone_poses(const Scene& scene, int frame);
 
+class AttachmentGuard;
 class MuscleContact;
 
 class SceneSolver {
@@ -18,8 +19,13 @@ public:
 
     ~SceneSolver();
 
-    /// Advances all muscles by one frame; B poses each, one per bone, from rest.
+    /// Advances all muscles by one frame; B poses each, one per bone, from rest. Attached vertices that another bone would
+    /// come nearer to than 0.5 mm in this frame are released before it and are free from then on: the muscle goes on with a
+    /// new solver from where it is.
     void advance(std::span<const Pose> from, std::span<const Pose> to);
+
+    /// Vertices of a muscle released so far, in the order of release.
+    const std::vector<int>& released(std::size_t m) const { return released_[m]; }
 
     std::size_t muscle_count() const { return solvers_.size(); }
     const SoftBodySolver& muscle(std::size_t m) const { return *solvers_[m]; }
@@ -28,7 +34,14 @@ public:
     std::size_t state_bytes() const;
 
 private:
+    void release_attachments(std::span<const Pose> to);
+
     int threads_;
+    const SolverMethod* method_;
+    std::vector<SoftBodyProblem> problems_; ///< of methods that can be taken over; else empty
+    std::vector<AttachmentGuard> guards_;
+    std::vector<std::vector<int>> released_;
+    StepReport retired_;                     ///< what solvers reported that were replaced
     std::unique_ptr<MuscleContact> contact_; ///< null with one muscle, or when the method knows no planes
     std::vector<const Points*> positions_;
     bool side_by_side_ = false;

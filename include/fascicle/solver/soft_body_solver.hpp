@@ -73,6 +73,12 @@ public:
     /// V positions. Vertices fixed to a solid are exactly where its pose puts them.
     virtual const Points& positions() const = 0;
     virtual const StepReport& report() const = 0;
+    /// By how much each point moved in the last substep apart from what the solids carried it: V, what the next substep
+    /// starts its prediction from. Empty: the method cannot go on from another solver's state.
+    virtual Points last_step() const { return {}; }
+    /// Goes on from another solver's positions and last_step(), V each; false (and nothing changes) when the method
+    /// cannot. Only before the first frame.
+    virtual bool set_state(const Points& /*positions*/, const Points& /*last_step*/) { return false; }
     /// The vertices that the method itself treats as fixed (classic fixes what collides at the start): V, -1 free.
     virtual const std::vector<int>& body_of_vertex() const = 0;
     /// Whether advance() works on SoftBodyProblem::threads threads; else on the caller's alone.

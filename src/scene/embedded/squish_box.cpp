@@ -28,7 +28,7 @@ Scene make_squish_box(int) {
     // walls buckle at random under a squeeze to a tenth, and without grip or damping the box then turns as it unfolds.
     scene.parameters.set_defaults({{"solver.stiffness", 0.2},
                                    {"solver.coarse", 0},
-                                   {"solver.damping", 40},
+                                   {"solver.damping", 25},
                                    {"solver.iterations", 40},
                                    {"contact.friction", 1}});
     return scene;

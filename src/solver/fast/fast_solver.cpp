@@ -50,6 +50,8 @@ public:
     bool uses_threads() const override { return true; }
     bool takes_planes() const override { return true; }
     void set_planes(std::span<const PointPlane> planes) override { contact_.set_planes(planes); }
+    Points last_step() const override;
+    bool set_state(const Points& positions, const Points& last_step) override;
     std::size_t state_bytes() const override;
 
 private:
@@ -418,6 +420,36 @@ std::size_t FastSolver::state_bytes() const {
                     plan_.rings, plan_.record_of_vertex, vertex_of_record_, plan_.inverse_mass,
                     plan_.ring_base, plan_.ring_first, plan_.ring_length, problem_.body_of_vertex) +
            coarse_.bytes() + contact_.bytes();
+}
+
+Points FastSolver::last_step() const {
+    Points step(positions_.size(), Vec3::Zero());
+    const auto* records = reinterpret_cast<const float*>(records_.data());
+    for (std::size_t r = 0; r < vertex_of_record_.size(); ++r)
+        for (std::size_t k = 0; vertex_of_record_[r] >= 0 && k < 3; ++k)
+            step[static_cast<std::size_t>(vertex_of_record_[r])][static_cast<Eigen::Index>(k)] =
+                double(records[4 * r + k]) - double(groups_[r / packet].carried[k][r % packet]);
+    return step;
+}
+
+bool FastSolver::set_state(const Points& positions, const Points& last_step) {
+    FASCICLE_ASSERT(!started_ && positions.size() == positions_.size() &&
+                    last_step.size() == positions.size());
+    positions_ = positions;
+    auto* records = reinterpret_cast<float*>(records_.data());
+    for (std::size_t r = 0; r < vertex_of_record_.size(); ++r) {
+        if (vertex_of_record_[r] < 0)
+            continue;
+        const auto i = static_cast<std::size_t>(vertex_of_record_[r]);
+        const Vec3 x = positions[i] - plan_.origin;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto axis = static_cast<Eigen::Index>(k);
+            records[4 * r + k] = static_cast<float>(x[axis]);
+            groups_[r / packet].start[k][r % packet] = static_cast<float>(x[axis]);
+            groups_[r / packet].carried[k][r % packet] = static_cast<float>(x[axis] - last_step[i][axis]);
+        }
+    }
+    return true;
 }
 
 /// Positions in the caller's order and frame.

@@ -34,6 +34,8 @@ public:
     }
     const StepReport& report() const override { return report_; }
     const std::vector<int>& body_of_vertex() const override { return problem_.body_of_vertex; }
+    Points last_step() const override;
+    bool set_state(const Points& positions, const Points& last_step) override;
     std::size_t state_bytes() const override;
 
 private:
@@ -274,6 +276,23 @@ void XpbdSolver::guard_samples(bool last) {
             (round >= SampleGuard::push_rounds || std::find(found_.begin(), found_.end(), 1) == found_.end()))
             return;
     }
+}
+
+Points XpbdSolver::last_step() const {
+    const double h = frame_time_ / substeps_;
+    Points step = velocity_;
+    for (Vec3& s : step)
+        s *= h / std::exp(-damping_ * h);
+    return step;
+}
+
+bool XpbdSolver::set_state(const Points& positions, const Points& last_step) {
+    FASCICLE_ASSERT(positions.size() == x_.size() && last_step.size() == x_.size());
+    const double h = frame_time_ / substeps_;
+    x_ = before_ = positions;
+    for (std::size_t i = 0; i < x_.size(); ++i)
+        velocity_[i] = std::exp(-damping_ * h) / h * last_step[i];
+    return true;
 }
 
 void XpbdSolver::update_velocities(double h) {
