@@ -160,7 +160,7 @@ def figures(folder):
     with open(folder / "metrics.csv", newline="") as file:
         rows = list(csv.DictReader(file))
     stages = summary.get("stage_seconds", {})
-    total, contact = sum(stages.values()), sum(s for name, s in stages.items() if name.startswith("contact"))
+    total, contact = sum(stages.values()), sum(s for name, s in stages.items() if name.startswith(("contact", "samples")))
     result = {}
     for muscle in dict.fromkeys(row["muscle"] for row in rows):
         mine = [row for row in rows if row["muscle"] == muscle]

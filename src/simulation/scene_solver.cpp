@@ -6,7 +6,9 @@
 #include "simulation/clean_up.hpp"
 #include "simulation/muscle_contact.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 namespace fascicle {
 
@@ -41,6 +43,7 @@ SceneSolver::SceneSolver(const Scene& scene, const PreparedScene& prepared, int 
     const bool many = prepared.muscles.size() >= 2 * static_cast<std::size_t>(std::max(threads, 1));
     side_by_side_ = many;
     for (const PreparedMuscle& muscle : prepared.muscles) {
+        around_.add(bounding_box(muscle.problem.surface->positions, muscle.problem.surface->triangles));
         SoftBodyProblem problem = muscle.problem;
         problem.threads = many ? 1 : threads;
         solvers_.push_back(prepared.method->make(problem));
@@ -58,7 +61,39 @@ SceneSolver::SceneSolver(const Scene& scene, const PreparedScene& prepared, int 
 
 SceneSolver::~SceneSolver() = default;
 
+int frame_parts(std::span<const Pose> from, std::span<const Pose> to, const BoundingBox& near) {
+    constexpr double most_turn = 0.15, most_way = 0.1; // rad, share of the box's diagonal
+    double parts = 1.0;
+    const double diagonal = near.diagonal();
+    for (std::size_t b = 0; b < from.size(); ++b) {
+        const Pose move = to[b].after(from[b].inverse());
+        parts = std::max(parts, std::abs(Eigen::AngleAxisd(move.rotation).angle()) / most_turn);
+        for (int corner = 0; corner < 8 && diagonal > 0.0; ++corner) {
+            const Vec3 p(corner & 1 ? near.max.x() : near.min.x(), corner & 2 ? near.max.y() : near.min.y(),
+                         corner & 4 ? near.max.z() : near.min.z());
+            parts = std::max(parts, (move.apply(p) - p).norm() / (most_way * diagonal));
+        }
+    }
+    constexpr double most_parts = 1000.0;
+    return static_cast<int>(std::ceil(std::min(parts - 1e-9, most_parts)));
+}
+
 void SceneSolver::advance(std::span<const Pose> from, std::span<const Pose> to) {
+    // The published method is repeated literally: a frame is a frame.
+    const int parts = method_->needs_grid ? frame_parts(from, to, around_) : 1;
+    if (parts == 1)
+        return advance_part(from, to);
+    part_from_.assign(from.begin(), from.end());
+    part_to_.resize(to.size());
+    for (int part = 1; part <= parts; ++part) {
+        for (std::size_t b = 0; b < to.size(); ++b)
+            part_to_[b] = part == parts ? to[b] : screw_between(from[b], to[b], double(part) / parts);
+        advance_part(part_from_, part_to_);
+        part_from_.swap(part_to_);
+    }
+}
+
+void SceneSolver::advance_part(std::span<const Pose> from, std::span<const Pose> to) {
     release_attachments(to);
     if (contact_ != nullptr) {
         const auto& planes = contact_->planes(positions_, from, to, threads_);

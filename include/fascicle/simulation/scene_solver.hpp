@@ -1,6 +1,7 @@
 #pragma once
 // The muscles of a prepared scene, advanced frame by frame: what a run solves, without recording anything.
 
+#include "fascicle/geometry/bounding_box.hpp"
 #include "fascicle/simulation/prepare.hpp"
 
 namespace fascicle {
@@ -10,6 +11,11 @@ std::vector<Pose> bone_poses(const Scene& scene, int frame);
 
 class AttachmentGuard;
 class MuscleContact;
+
+/// Parts that a frame is solved in, so that no bone moves further in one than the solver's linear steps bear: a turn of 0.15
+/// rad, and of any point of the box that `near` spans a tenth of its diagonal. From 1 to 1000; 1 for anything that a
+/// body does at 60 frames a second.
+int frame_parts(std::span<const Pose> from, std::span<const Pose> to, const BoundingBox& near);
 
 class SceneSolver {
 public:
@@ -34,9 +40,12 @@ public:
     std::size_t state_bytes() const;
 
 private:
+    void advance_part(std::span<const Pose> from, std::span<const Pose> to);
     void release_attachments(std::span<const Pose> to);
 
     int threads_;
+    BoundingBox around_; ///< of all muscles at rest
+    std::vector<Pose> part_from_, part_to_;
     const SolverMethod* method_;
     std::vector<SoftBodyProblem> problems_; ///< of methods that can be taken over; else empty
     std::vector<AttachmentGuard> guards_;
