@@ -35,10 +35,12 @@ struct FibreProblem {
 };
 
 /// Fibres at rest, and how they follow the surface. seconds: by stage, "field" among them when a harmonic field
-/// was solved. notes: sentences for the user.
+/// was solved. notes: sentences for the user. field: per vertex of the surface, 0 at the origin to 1 at the
+/// insertion, harmonic in between; empty when the method has none.
 struct FibreModel {
     FibreSet rest;
     FibreCarrier carrier;
+    std::vector<double> field;
     std::vector<std::pair<std::string, double>> seconds;
     std::vector<std::string> notes;
 };
