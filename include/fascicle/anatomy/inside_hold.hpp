@@ -5,6 +5,7 @@
 #include "fascicle/geometry/tri_mesh.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <span>
 
 namespace fascicle {
@@ -15,12 +16,12 @@ namespace fascicle {
 /// is put just inside. Local: nothing but the surface near the point is looked at.
 class InsideHold {
 public:
-    static constexpr std::size_t ends_per_point = 8;
+    static constexpr std::size_t ends_per_point = 12;
 
     InsideHold() = default;
     InsideHold(const TriMesh& surface, const MeshTopology& topology);
 
-    /// Next point; ends: triangles, nearest first, -1 for none (all -1: a point that is not held). margin: how far inside it
+    /// Next point; ends: triangles, -1 for none after them (all -1: a point that is not held). margin: how far inside it
     /// is put, scene units.
     void add(const std::array<std::int32_t, ends_per_point>& ends, double margin);
     void reserve(std::size_t points);
@@ -44,6 +45,12 @@ private:
         const Vec3& c = surface[static_cast<std::size_t>(tri[2])];
         return (x - a).dot((b - a).cross(c - a)) > 0;
     }
+    struct Foot {
+        Vec3 point = Vec3::Zero(), normal = Vec3::Zero(); ///< normal: outwards, of any length
+        double squared_distance = std::numeric_limits<double>::infinity();
+    };
+    int walk_down(int start, const Vec3& x, std::span<const Vec3> surface) const;
+    Foot foot_around(int vertex, const Vec3& x, std::span<const Vec3> surface) const;
     Vec3 moved_in(std::size_t point, const Vec3& x, std::span<const Vec3> surface) const;
 
     std::vector<std::array<std::int32_t, ends_per_point>> ends_;

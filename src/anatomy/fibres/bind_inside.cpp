@@ -45,20 +45,26 @@ ChordFind find_chords(const LineCrossings& lines, const Vec3& p, double tiny) {
             find.chord = chord_between(n.behind, n.ahead);
     }
     const bool ahead = std::abs(n.ahead.distance) < std::abs(n.behind.distance);
-    const LineCrossing &first = ahead ? n.ahead : n.behind, &second = ahead ? n.ahead_second : n.behind_second;
+    const LineCrossing &first = ahead ? n.ahead : n.behind,
+                       &second = ahead ? n.ahead_second : n.behind_second;
     if (first.triangle >= 0 && second.triangle >= 0 && std::abs(second.distance - first.distance) > tiny)
         find.outside = chord_between(first, second);
     return find;
 }
 
-/// Rows of a block of points; owns what it needs so that blocks run at the same time.
+/// What the carrier keeps of one point.
+struct BoundRow {
+    std::vector<std::pair<int, double>> entries;
+    HoldEnds ends{};
+    double depth = 0; ///< about the distance to the surface; 0 for a point that is not held
+};
+
 class RowMaker {
 public:
     RowMaker(const TriMesh& surface, const MeshTopology& topology, double size)
         : surface_(surface), topology_(topology), tiny_(1e-9 * size) {}
 
-    void make(const Vec3& p, const std::array<ChordFind, 13>& finds, CarrierRow& row, HoldEnds& ends,
-              double& depth) const;
+    void make(const Vec3& p, const std::array<ChordFind, 13>& finds, CarrierRow& row, BoundRow& bound) const;
 
 private:
     void add(const Chord& chord, double weight, CarrierRow& row) const {
@@ -85,30 +91,30 @@ private:
     double tiny_;
 };
 
-/// Triangles of the nearest ends of chords, and the distance of the nearest.
-double nearest_ends(const std::array<ChordFind, 13>& finds, HoldEnds& ends) {
-    std::array<const LineCrossing*, 26> all{};
+/// Triangles that the shortest chords end in, both ends of each, and the distance of the nearest end.
+double shortest_ends(const std::array<ChordFind, 13>& finds, HoldEnds& ends) {
+    std::array<const Chord*, 13> chords{};
     std::size_t count = 0;
     for (const ChordFind& find : finds)
-        if (find.chord && find.winding > 0) {
-            all[count++] = &find.chord->from;
-            all[count++] = &find.chord->to;
+        if (find.chord && find.winding > 0)
+            chords[count++] = &*find.chord;
+    std::sort(chords.begin(), chords.begin() + static_cast<std::ptrdiff_t>(count),
+              [](const Chord* a, const Chord* b) { return a->length < b->length; });
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < count; ++k) {
+        if (2 * k + 1 < ends.size()) {
+            ends[2 * k] = chords[k]->from.triangle;
+            ends[2 * k + 1] = chords[k]->to.triangle;
         }
-    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(std::min(count, ends.size()));
-    std::partial_sort(all.begin(), middle, all.begin() + static_cast<std::ptrdiff_t>(count),
-                      [](const LineCrossing* a, const LineCrossing* b) {
-                          return std::abs(a->distance) < std::abs(b->distance);
-                      });
-    for (std::size_t k = 0; k < std::min(count, ends.size()); ++k)
-        ends[k] = all[k]->triangle;
-    return count > 0 ? std::abs(all[0]->distance) : 0.0;
+        nearest = std::min({nearest, std::abs(chords[k]->from.distance), std::abs(chords[k]->to.distance)});
+    }
+    return count > 0 ? nearest : 0.0;
 }
 
-void RowMaker::make(const Vec3& p, const std::array<ChordFind, 13>& finds, CarrierRow& row, HoldEnds& ends,
-                    double& depth) const {
+void RowMaker::make(const Vec3& p, const std::array<ChordFind, 13>& finds, CarrierRow& row,
+                    BoundRow& bound) const {
     row.clear();
-    ends.fill(-1);
-    depth = 0;
+    bound.ends.fill(-1);
     // On the surface: the blend of its triangle.
     const LineCrossing* touching = nullptr;
     for (const ChordFind& find : finds)
@@ -136,14 +142,13 @@ void RowMaker::make(const Vec3& p, const std::array<ChordFind, 13>& finds, Carri
                 if (const double weight = ratio * ratio * ratio * ratio; weight > 1e-3)
                     add(*find.chord, weight, row);
             }
-        depth = nearest_ends(finds, ends);
+        bound.depth = shortest_ends(finds, bound.ends);
         return;
     }
     const Chord* nearest = nullptr;
     for (const ChordFind& find : finds)
         if (find.outside && exact(*find.outside, p) &&
-            (nearest == nullptr ||
-             std::abs(find.outside->from.distance) < std::abs(nearest->from.distance)))
+            (nearest == nullptr || std::abs(find.outside->from.distance) < std::abs(nearest->from.distance)))
             nearest = &*find.outside;
     // Far from the surface the extrapolation would magnify every motion of the chord.
     if (nearest != nullptr && std::abs(nearest->share) < 2.0)
@@ -210,25 +215,35 @@ FibreCarrier bind_inside(const TriMesh& surface, const MeshTopology& topology,
             throw_error("binding fibres", "point " + std::to_string(i) + " is not finite", "numbers");
     const double size = bounding_box(surface.positions, surface.triangles).diagonal();
     const auto& directions = chord_directions();
-    std::vector<std::array<ChordFind, 13>> finds(rest_points.size());
+    std::array<std::optional<LineCrossings>, 13> lines;
     parallel_for(threads, directions.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t d = begin; d < end; ++d) {
-            const LineCrossings lines(surface, directions[d]);
-            for (std::size_t i = 0; i < rest_points.size(); ++i)
-                finds[i][d] = find_chords(lines, rest_points[i], 1e-9 * size);
+        for (std::size_t d = begin; d < end; ++d)
+            lines[d].emplace(surface, directions[d]);
+    });
+    constexpr std::size_t chunk = 128;
+    std::vector<std::vector<BoundRow>> chunks((rest_points.size() + chunk - 1) / chunk);
+    const RowMaker rows(surface, topology, size);
+    parallel_for(threads, rest_points.size(), chunk, [&](std::size_t begin, std::size_t end) {
+        std::array<ChordFind, 13> finds;
+        CarrierRow row;
+        for (std::size_t i = begin; i < end; ++i) {
+            for (std::size_t d = 0; d < 13; ++d)
+                finds[d] = find_chords(*lines[d], rest_points[i], 1e-9 * size);
+            BoundRow& bound = chunks[i / chunk].emplace_back();
+            rows.make(rest_points[i], finds, row, bound);
+            bound.entries = row.merged();
         }
     });
     CarrierBuilder builder(surface, topology);
-    builder.reserve(rest_points.size(), rest_points.size() * 48);
-    const RowMaker rows(surface, topology, size);
-    CarrierRow row;
-    HoldEnds ends{};
-    double depth = 0;
+    std::size_t weights = 0;
+    for (const auto& some : chunks)
+        for (const BoundRow& bound : some)
+            weights += bound.entries.size();
+    builder.reserve(rest_points.size(), weights);
     const double margin = 1e-4 * size; // enough to be inside by any reckoning, too little to see
-    for (std::size_t i = 0; i < rest_points.size(); ++i) {
-        rows.make(rest_points[i], finds[i], row, ends, depth);
-        builder.add_row(row.merged(), ends, std::min(depth, margin));
-    }
+    for (const auto& some : chunks)
+        for (const BoundRow& bound : some)
+            builder.add_row(bound.entries, bound.ends, std::min(bound.depth, margin));
     return builder.take();
 }
 

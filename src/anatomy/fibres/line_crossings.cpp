@@ -13,8 +13,7 @@ double edge_side(const Points& flat, int a, int b, const Vec2& p) {
     const bool forward = a < b;
     const Vec3& from = flat[static_cast<std::size_t>(forward ? a : b)];
     const Vec3& to = flat[static_cast<std::size_t>(forward ? b : a)];
-    const double side =
-        (to.x() - from.x()) * (p.y() - from.y()) - (to.y() - from.y()) * (p.x() - from.x());
+    const double side = (to.x() - from.x()) * (p.y() - from.y()) - (to.y() - from.y()) * (p.x() - from.x());
     // A line through the edge itself counts as on its left, for both triangles.
     const double decided = side == 0.0 ? std::numeric_limits<double>::denorm_min() : side;
     return forward ? decided : -decided;
@@ -51,7 +50,8 @@ LineCrossings::LineCrossings(const TriMesh& mesh, const Vec3& direction) : mesh_
     }
     // About as many cells as triangles, at most 1024 a side: a long thin surface must not cost memory.
     const Vec2 size = (high - low).cwiseMax(1e-12 * (1.0 + high.cwiseAbs().maxCoeff()));
-    cell_ = std::max(std::sqrt(size.x() * size.y() / double(mesh.triangles.size())), size.maxCoeff() / 1024.0);
+    cell_ =
+        std::max(std::sqrt(size.x() * size.y() / double(mesh.triangles.size())), size.maxCoeff() / 1024.0);
     low_ = low;
     columns_ = static_cast<int>(size.x() / cell_) + 1;
     rows_ = static_cast<int>(size.y() / cell_) + 1;
@@ -93,8 +93,8 @@ void LineCrossings::for_crossings(const Vec3& p, const Visit& visit) const {
     const double x = std::floor((q.x() - low_.x()) / cell_), y = std::floor((q.y() - low_.y()) / cell_);
     if (!(x >= 0 && x < columns_ && y >= 0 && y < rows_))
         return;
-    const std::size_t cell = static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
-                             static_cast<std::size_t>(x);
+    const std::size_t cell =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
     for (std::uint32_t k = starts_[cell]; k < starts_[cell + 1]; ++k) {
         const Tri& t = mesh_->triangles[static_cast<std::size_t>(triangles_[k])];
         const double a = edge_side(flat_, t[1], t[2], q), b = edge_side(flat_, t[2], t[0], q);

@@ -38,8 +38,8 @@ private:
     void for_crossings(const Vec3& p, const Visit& visit) const;
 
     const TriMesh* mesh_;
-    std::array<Vec3, 3> axes_;  ///< two across, then the direction
-    Points flat_;               ///< vertices in those axes
+    std::array<Vec3, 3> axes_; ///< two across, then the direction
+    Points flat_;              ///< vertices in those axes
     Vec2 low_ = Vec2::Zero();
     double cell_ = 1;
     int columns_ = 1, rows_ = 1;
