@@ -18,7 +18,7 @@ void write_fibre_table(const std::filesystem::path& file, const std::vector<cons
 /// point: stretch (length against rest there) and tangent (3). The series has the frame; `fibres`: its points, the ones
 /// that were appended. An array with a value that is not defined is left out: readers of ascii VTP stop at "nan".
 MeshData fibre_lines(const FibreSeries& series, int frame, const FibreSet& fibres);
-/// The same where there is no series: fibre_id, length_mm, stretch 1 left out.
+/// The same where there is no series: per line fibre_id and length_mm, per point tangent.
 MeshData fibre_lines(const FibreSet& fibres, double unit_mm);
 
 /// fibres/<muscle>.<frame, at least 4 digits>.vtp, relative to a run's folder.

@@ -44,7 +44,7 @@ struct ArmOptions {
 /// radian, which is that unit. angles: K; lengths: K x F, frame-major; result: K x F.
 /// Each span is fitted by itself. A frame where two spans meet takes its value from the span that ends there;
 /// frames in which the angle stands still keep the value of the span before them, those before the first span that
-/// of its beginning. Motions that never turn, and one frame: NaN. A span of two angles gives one slope, of three a
+/// of its beginning. A motion in which the angle never changes, or of one frame: NaN. A span of two angles gives one slope, of three a
 /// parabola. At a span's ends the central difference becomes the parabola through the three nearest frames that
 /// are step_rad apart (one-sided, still second order); a span too short for that gets one parabola as a whole.
 /// A length that is not finite makes its own fibre's arms NaN in its span. Error as motion_spans, or when the number
@@ -61,7 +61,8 @@ void update_arms(const std::vector<MotionSpan>& spans, std::size_t from_span,
 /// Moment arm of a line that ends on the moving bone: r = sign * a . ((p - c) x t), p: the fibre's end there, t: unit
 /// pull on the bone, from p along the last segment that has a length; a, c: unit axis and centre of the hinge.
 /// Scene units. Equal to the excursion arm of a straight fibre whose other end stands still; for any fibre that is
-/// all the bone feels. NaN for a fibre without length; Error for an axis without direction.
+/// all the bone feels. Of a path with several points on the moving bone hand over the part up to the first of them.
+/// NaN for a fibre without length; Error for an axis without direction.
 double line_arm(std::span<const Vec3> fibre, FibreEnd moving_end, const Hinge& hinge, double sign);
 /// The same for all fibres, F values.
 std::vector<double> line_arms(const FibreSet& fibres, FibreEnd moving_end, const Hinge& hinge, double sign);
