@@ -35,8 +35,8 @@ enum class ArmMethod {
 
 struct ArmOptions {
     ArmMethod method = ArmMethod::polynomial;
-    int degree =
-        4; ///< of the polynomial, 1 to 8; lower where a span has fewer than degree + 1 distinct angles
+    /// Of the polynomial, 1 to 8; lower where a span has fewer than degree + 1 distinct angles.
+    int degree = 4;
     double step_rad = 0.017453292519943295; ///< 1 degree each way: "central difference 2 deg" (methods.md 7)
 };
 
@@ -44,8 +44,8 @@ struct ArmOptions {
 /// radian, which is that unit. angles: K; lengths: K x F, frame-major; result: K x F.
 /// Each span is fitted by itself. A frame where two spans meet takes its value from the span that ends there;
 /// frames in which the angle stands still keep the value of the span before them, those before the first span that
-/// of its beginning. A motion in which the angle never changes, or of one frame: NaN. A span of two angles gives one slope, of three a
-/// parabola. At a span's ends the central difference becomes the parabola through the three nearest frames that
+/// of its beginning. A motion in which the angle never changes, or of one frame: NaN. A span of two angles gives one
+/// slope, of three a parabola. At a span's ends the central difference becomes the parabola through the three nearest frames that
 /// are step_rad apart (one-sided, still second order); a span too short for that gets one parabola as a whole.
 /// A length that is not finite makes its own fibre's arms NaN in its span. Error as motion_spans, or when the number
 /// of lengths is not K x F.
