@@ -96,6 +96,7 @@ std::string run_summary(const Recording& recording, const RunOutputOptions& opti
     const RunSpeed speed = run_speed(recording);
     const FramePtr last = recording.last_frame();
     const auto attachments = recording.attachments();
+    const auto fibres = recording.fibres();
 
     Json json;
     json["scene"] = scene.name;
@@ -134,6 +135,16 @@ std::string run_summary(const Recording& recording, const RunOutputOptions& opti
         for (const MeshSource& source : muscle.outline_files)
             add_input(inputs, source);
         add_input(inputs, muscle.surface_fibres_source);
+        add_input(inputs, muscle.fibre_template_source);
+        if (m < fibres.size() && fibres[m] != nullptr) {
+            Json seconds = Json::object();
+            for (const auto& [stage, time] : fibres[m]->seconds)
+                seconds[stage] = time;
+            json["muscles"].back()["fibres"] = {{"method", scene.parameters.get_choice("fibres.method")},
+                                                {"count", fibres[m]->rest.count},
+                                                {"segments", fibres[m]->rest.segments},
+                                                {"seconds", seconds}};
+        }
     }
     json["bones"] = Json::array();
     for (const Bone& bone : scene.bones) {

@@ -3,7 +3,9 @@
 #include "fascicle/base/assert.hpp"
 #include "fascicle/base/error.hpp"
 #include "fascicle/io/csv.hpp"
+#include "fascicle/io/fibre_files.hpp"
 #include "fascicle/io/files.hpp"
+#include "fascicle/io/mesh_file.hpp"
 #include "fascicle/metrics/metric_table.hpp"
 #include "io/formats/pvd.hpp"
 #include "io/formats/vtp.hpp"
@@ -25,6 +27,13 @@ struct RunWriter::Impl {
     CsvWriter metrics{metrics_file.stream()}, motion{motion_file.stream()};
     std::vector<std::vector<Attachment>> attachments;
     std::vector<int> vtp_frames;
+    struct MetricsLine {
+        int frame;
+        std::size_t muscle;
+        double angle_deg;
+        std::vector<double> values;
+    };
+    std::vector<MetricsLine> lines; ///< written at the end: some columns are decided by the whole run
     FramePtr last;
     std::vector<std::vector<NamedArray>> last_arrays;
 
@@ -34,6 +43,8 @@ struct RunWriter::Impl {
 
     static const fs::path& checked(const fs::path& folder, const Scene& scene);
     void headers();
+    void write_metrics(const std::vector<const FibreSeries*>& series);
+    void write_fibres(const Recording& recording, const std::vector<const FibreSeries*>& series);
     void write_bones() const;
     void write_frame(const Frame& frame, const std::vector<std::vector<NamedArray>>& arrays);
     std::vector<NamedArray> attachment_arrays(std::size_t muscle) const;
@@ -48,7 +59,7 @@ const fs::path& RunWriter::Impl::checked(const fs::path& folder, const Scene& sc
         const fs::path found = fs::weakly_canonical(path, code);
         return code ? path : found;
     };
-    for (const char* name : {"summary.json", "metrics.csv", "motion.csv"})
+    for (const char* name : {"summary.json", "metrics.csv", "motion.csv", "fibres.csv"})
         outputs.insert(canonical(folder / name));
     for (const Bone& bone : scene.bones)
         outputs.insert(canonical(folder / io::bone_file(bone.name)));
@@ -60,7 +71,8 @@ const fs::path& RunWriter::Impl::checked(const fs::path& folder, const Scene& sc
         const fs::path path = canonical(source.path);
         bool clash = outputs.count(path) > 0;
         for (const Muscle& muscle : scene.muscles)
-            clash = clash || (path.parent_path() == canonical(folder / "frames") &&
+            clash = clash || ((path.parent_path() == canonical(folder / "frames") ||
+                               path.parent_path() == canonical(folder / "fibres")) &&
                               io::frame_of_file(path, muscle.name) >= 0);
         if (clash)
             throw_error(folder.string(), "the output would replace the input " + source.path,
@@ -72,6 +84,7 @@ const fs::path& RunWriter::Impl::checked(const fs::path& folder, const Scene& sc
     for (const Muscle& muscle : scene.muscles) {
         check(muscle.source);
         check(muscle.surface_fibres_source);
+        check(muscle.fibre_template_source);
         for (const MeshSource& source : muscle.outline_files)
             check(source);
     }
@@ -79,10 +92,6 @@ const fs::path& RunWriter::Impl::checked(const fs::path& folder, const Scene& sc
 }
 
 void RunWriter::Impl::headers() {
-    metrics.text("frame").text("muscle").text("angle_deg");
-    for (const std::string& key : options.metric_columns)
-        metrics.text(key);
-    metrics.end_row();
     motion.text("frame").text("bone");
     for (const char row : {'0', '1', '2'})
         for (const char column : {'0', '1', '2', '3'})
@@ -135,12 +144,13 @@ void RunWriter::Impl::write_frame(const Frame& frame, const std::vector<std::vec
 void RunWriter::Impl::remove_stale_frames() const {
     std::error_code ignored;
     std::vector<fs::path> stale;
-    for (const auto& entry : fs::directory_iterator(folder / "frames", ignored))
-        for (const Muscle& muscle : scene->muscles) {
-            const int frame = io::frame_of_file(entry.path(), muscle.name);
-            if (frame >= 0 && !std::binary_search(vtp_frames.begin(), vtp_frames.end(), frame))
-                stale.push_back(entry.path());
-        }
+    for (const char* part : {"frames", "fibres"})
+        for (const auto& entry : fs::directory_iterator(folder / part, ignored))
+            for (const Muscle& muscle : scene->muscles) {
+                const int frame = io::frame_of_file(entry.path(), muscle.name);
+                if (frame >= 0 && !std::binary_search(vtp_frames.begin(), vtp_frames.end(), frame))
+                    stale.push_back(entry.path());
+            }
     for (const fs::path& path : stale)
         fs::remove(path, ignored);
 }
@@ -177,11 +187,7 @@ void RunWriter::add_frame(FramePtr frame, const std::vector<std::vector<double>>
     }
     for (std::size_t m = 0; m < muscles; ++m) {
         FASCICLE_ASSERT(metrics[m].size() == me.options.metric_columns.size());
-        me.metrics.integer(frame->index).text(me.scene->muscles[m].name);
-        me.metrics.number(frame->angle_rad * 180.0 / std::numbers::pi);
-        for (const double value : metrics[m])
-            me.metrics.number(value);
-        me.metrics.end_row();
+        me.lines.push_back({frame->index, m, frame->angle_rad * 180.0 / std::numbers::pi, metrics[m]});
     }
     for (std::size_t b = 0; b < frame->bone_poses.size(); ++b) {
         const Pose& pose = frame->bone_poses[b];
@@ -201,8 +207,61 @@ void RunWriter::add_frame(FramePtr frame, const std::vector<std::vector<double>>
     me.last_arrays = std::move(point_arrays);
 }
 
-void RunWriter::finish(const Recording& recording) {
+/// One row per frame and muscle.
+void RunWriter::Impl::write_metrics(const std::vector<const FibreSeries*>& series) {
+    const bool any =
+        std::any_of(series.begin(), series.end(), [](const FibreSeries* s) { return s != nullptr; });
+    std::vector<const MetricRow*> rows; // by column; null for one that is not in the table
+    for (const std::string& key : options.metric_columns) {
+        const int index = metric_index(key);
+        rows.push_back(index < 0 ? nullptr : &metric_table()[static_cast<std::size_t>(index)]);
+    }
+    const auto shown = [&](std::size_t c) { return any || rows[c] == nullptr || !rows[c]->of_fibres; };
+    metrics.text("frame").text("muscle").text("angle_deg");
+    for (std::size_t c = 0; c < rows.size(); ++c)
+        if (shown(c))
+            metrics.text(options.metric_columns[c]);
+    metrics.end_row();
+    for (const MetricsLine& line : lines) {
+        metrics.integer(line.frame).text(scene->muscles[line.muscle].name).number(line.angle_deg);
+        const FibreSeries* own = line.muscle < series.size() ? series[line.muscle] : nullptr;
+        const int k = own != nullptr ? own->index_of(line.frame) : -1;
+        for (std::size_t c = 0; c < rows.size(); ++c)
+            if (shown(c))
+                metrics.number(k >= 0 && rows[c] != nullptr && rows[c]->over_run ? rows[c]->over_run(*own, k)
+                                                                                 : line.values[c]);
+        metrics.end_row();
+    }
+}
+
+/// fibres.csv, and the polylines of the frames whose surfaces were written.
+void RunWriter::Impl::write_fibres(const Recording& recording,
+                                   const std::vector<const FibreSeries*>& series) {
+    std::vector<const FibreSeries*> present;
+    const std::vector<FibreModelPtr> models = recording.fibres();
+    for (std::size_t m = 0; m < series.size(); ++m) {
+        if (series[m] == nullptr)
+            continue;
+        present.push_back(series[m]);
+        FibreSet fibres = series[m]->rest();
+        for (const int k : vtp_frames) {
+            models.at(m)->carrier.carry(*recording.frame(k)->muscle_positions[m], fibres.points);
+            write_mesh_file(folder / fibre_file(scene->muscles[m].name, k),
+                            fibre_lines(*series[m], k, fibres));
+        }
+    }
+    std::error_code ignored;
+    if (present.empty())
+        fs::remove(folder / "fibres.csv", ignored); // of an earlier run in the same folder
+    else
+        write_fibre_table(folder / "fibres.csv", present);
+}
+
+void RunWriter::finish(const Recording& recording, const std::vector<const FibreSeries*>& series) {
     Impl& me = *impl_;
+    me.write_metrics(series);
+    if (!me.metrics_file.stream())
+        throw_error(me.folder.string(), "cannot write the tables of the run", "space on the disk");
     if (me.options.vtp && me.last && (me.vtp_frames.empty() || me.vtp_frames.back() != me.last->index))
         me.write_frame(*me.last, me.last_arrays);
     if (me.options.vtp) {
@@ -217,6 +276,7 @@ void RunWriter::finish(const Recording& recording) {
             file.commit();
         }
     }
+    me.write_fibres(recording, series);
     me.metrics_file.commit();
     me.motion_file.commit();
     write_file(me.folder / "summary.json", io::run_summary(recording, me.options, me.vtp_frames));

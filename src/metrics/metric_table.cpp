@@ -2,6 +2,8 @@
 
 #include "fascicle/metrics/muscle_measure.hpp"
 
+#include <limits>
+
 namespace fascicle {
 
 namespace {
@@ -12,8 +14,8 @@ std::vector<MetricRow> make_rows() {
     std::vector<MetricRow> rows;
     const auto add = [&](std::string key, std::string label, std::string unit, std::string meaning,
                          std::function<double(M)> value) {
-        rows.push_back(
-            {std::move(key), std::move(label), std::move(unit), std::move(meaning), std::move(value)});
+        rows.push_back({std::move(key), std::move(label), std::move(unit), std::move(meaning),
+                        std::move(value), false, nullptr});
     };
     // The contract's columns, in its order.
     add("volume_ratio", "Volume ratio", "1", "Volume against rest.", [](M m) { return m.volume_ratio(); });
@@ -77,6 +79,43 @@ std::vector<MetricRow> make_rows() {
     add("volume_cm3", "Volume", "cm3", "Volume that the surface encloses.",
         [](M m) { return m.volume_cm3(); });
     add("area_cm2", "Surface area", "cm2", "Area of the surface.", [](M m) { return m.area_cm2(); });
+    // Of the fibres.
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    const auto fibres = [&](std::string key, std::string label, std::string unit, std::string meaning,
+                            std::function<double(const FibreMeasure&)> value) {
+        add(std::move(key), std::move(label), std::move(unit), std::move(meaning),
+            [value = std::move(value), none](M m) { return m.fibres() ? value(*m.fibres()) : none; });
+        rows.back().of_fibres = true;
+    };
+    using B = double Band::*;
+    const std::pair<const char*, B> parts[] = {
+        {"mean", &Band::mean}, {"min", &Band::min}, {"p5", &Band::p5},   {"p25", &Band::p25},
+        {"p50", &Band::p50},   {"p75", &Band::p75}, {"p95", &Band::p95}, {"max", &Band::max}};
+    for (const auto& [name, part] : parts)
+        fibres(std::string("fibre_length_") + name + "_mm", std::string("Fibre length, ") + name, "mm",
+               "Length of the fibres, from origin to insertion.",
+               [part](const FibreMeasure& f) { return f.length_mm().*part; });
+    for (const auto& [name, part] : parts)
+        fibres(std::string("fibre_strain_") + name, std::string("Fibre strain, ") + name, "1",
+               "Change of length against rest length over the fibres.",
+               [part](const FibreMeasure& f) { return f.strain().*part; });
+    for (const auto& [name, part] : parts) {
+        fibres(std::string("moment_arm_") + name + "_mm", std::string("Moment arm, ") + name, "mm",
+               "Moment arm of the fibres by tendon excursion, positive for what shortens on the way out.",
+               [none](const FibreMeasure&) { return none; });
+        rows.back().over_run = [part](const FibreSeries& series, int k) {
+            return series.band(FibreQuantity::moment_arm, k).*part;
+        };
+    }
+    fibres("pennation_mean_deg", "Pennation, mean", "deg",
+           "Mean angle between the fibres' ends and the line of action there.",
+           [](const FibreMeasure& f) { return f.pennation_deg(); });
+    fibres("pcsa_cm2", "Physiological cross-section", "cm2",
+           "Volume times cos(pennation) over mean fibre length.",
+           [](const FibreMeasure& f) { return f.pcsa_cm2(); });
+    fibres("line_length_mm", "Line of action, length", "mm",
+           "Distance between the middle of the origins and that of the insertions.",
+           [](const FibreMeasure& f) { return f.line_length_mm(); });
     // Of the whole frame, the same for all its muscles.
     add("contacts", "Contacts", "1", "Contact projections of the frame that moved a vertex, all muscles.",
         [](M m) { return static_cast<double>(m.report().contacts); });

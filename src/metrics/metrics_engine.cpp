@@ -10,7 +10,8 @@ struct MetricsEngine::Impl {
     std::vector<MuscleMeasure> muscles;
     MuscleOverlapMeasure overlap;
 
-    Impl(ScenePtr of, const Frame& rest, const std::vector<std::vector<Attachment>>* attachments, int threads)
+    Impl(ScenePtr of, const Frame& rest, const std::vector<std::vector<Attachment>>* attachments,
+         const std::vector<FibreModelPtr>& fibres, int threads)
         : scene(std::move(of)), overlap(scene, rest, threads) {
         const auto bones = bone_solids(*scene);
         muscles.reserve(scene->muscles.size());
@@ -21,7 +22,8 @@ struct MetricsEngine::Impl {
                 fixed = (*attachments)[m];
             else if (!muscle.attachments.empty() || (muscle.outlines.empty() && !muscle.attach_automatically))
                 fixed = muscle.attachments;
-            muscles.emplace_back(*scene, static_cast<int>(m), rest, bones, std::move(fixed), threads);
+            muscles.emplace_back(*scene, static_cast<int>(m), rest, bones, std::move(fixed), threads,
+                                 m < fibres.size() ? fibres[m] : nullptr);
         }
     }
 };
@@ -38,11 +40,12 @@ FramePtr rest_of(const Recording& recording) {
 
 MetricsEngine::MetricsEngine(const Recording& recording, int threads) {
     const std::vector<std::vector<Attachment>> attachments = recording.attachments();
-    impl_ = std::make_unique<Impl>(recording.scene_ptr(), *rest_of(recording), &attachments, threads);
+    impl_ = std::make_unique<Impl>(recording.scene_ptr(), *rest_of(recording), &attachments,
+                                   recording.fibres(), threads);
 }
 
 MetricsEngine::MetricsEngine(ScenePtr scene, const Frame& rest, int threads)
-    : impl_(std::make_unique<Impl>(std::move(scene), rest, nullptr, threads)) {}
+    : impl_(std::make_unique<Impl>(std::move(scene), rest, nullptr, std::vector<FibreModelPtr>{}, threads)) {}
 
 MetricsEngine::~MetricsEngine() = default;
 

@@ -42,7 +42,8 @@ std::vector<std::shared_ptr<const SolidQuery>> bone_solids(const Scene& scene) {
 
 MuscleMeasure::MuscleMeasure(const Scene& scene, int muscle, const Frame& rest,
                              std::vector<std::shared_ptr<const SolidQuery>> bones,
-                             std::optional<std::vector<Attachment>> attachments, int threads)
+                             std::optional<std::vector<Attachment>> attachments, int threads,
+                             FibreModelPtr fibres)
     : muscle_(muscle), mesh_(scene.muscles.at(static_cast<std::size_t>(muscle)).mesh),
       millimetres_per_unit_(fascicle::millimetres_per_unit(scene.unit)),
       rest_(positions(scene, muscle, rest)), rest_poses_(rest.bone_poses),
@@ -54,6 +55,8 @@ MuscleMeasure::MuscleMeasure(const Scene& scene, int muscle, const Frame& rest,
                         threads),
       midpoint_measure_(bones, millimetres_per_unit_, midpoints_of(*rest_, topology_.edges()), rest_poses_,
                         threads) {
+    if (fibres != nullptr)
+        fibres_ = std::make_unique<FibreMeasure>(scene, muscle, std::move(fibres), rest);
     measure(rest);
 }
 
@@ -72,6 +75,8 @@ void MuscleMeasure::measure(const Frame& frame, double overlap_mm) {
     edge_midpoints(*points_, topology_.edges(), samples_);
     midpoint_penetration_ = midpoint_measure_.measure(samples_, frame.bone_poses);
     overlap_mm_ = overlap_mm;
+    if (fibres_ != nullptr)
+        fibres_->measure(frame, volume_);
     drift_mm_ = drift(frame);
 }
 

@@ -14,6 +14,16 @@ std::vector<std::vector<Attachment>> Recording::attachments() const {
     return attachments_;
 }
 
+void Recording::set_fibres(std::vector<FibreModelPtr> fibres) {
+    const std::lock_guard lock(mutex_);
+    fibres_ = std::move(fibres);
+}
+
+std::vector<FibreModelPtr> Recording::fibres() const {
+    const std::lock_guard lock(mutex_);
+    return fibres_;
+}
+
 void Recording::add_note(std::string note) {
     const std::lock_guard lock(mutex_);
     notes_.push_back(std::move(note));

@@ -2,6 +2,7 @@
 
 #include "fascicle/anatomy/anisotropy.hpp"
 #include "fascicle/anatomy/harmonic_field.hpp"
+#include "fascicle/simulation/muscle_fibres.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,13 +38,17 @@ std::vector<double> weights_by_distance(const Muscle& muscle, const std::vector<
 
 std::vector<double> muscle_edge_softness(const Muscle& muscle, const MeshTopology& topology,
                                          const std::vector<Attachment>& attachments,
-                                         const std::vector<BoneQuery>& bones, double exponent,
-                                         bool harmonic) {
+                                         const std::vector<BoneQuery>& bones, const FibreModel* fibres,
+                                         double exponent, bool harmonic) {
     if (exponent == 0.0)
         return {};
     if (muscle.surface_fibres)
         return edge_softness(*muscle.mesh, topology,
                              edge_tangents_from_fibres(*muscle.mesh, topology, *muscle.surface_fibres),
+                             exponent);
+    if (fibres != nullptr)
+        return edge_softness(*muscle.mesh, topology,
+                             edge_tangents_from_fibres(*muscle.mesh, topology, polylines_of(fibres->rest)),
                              exponent);
     std::vector<bool> fixed(muscle.mesh->positions.size(), false);
     std::vector<double> values(fixed.size(), 0.0);

@@ -2,16 +2,18 @@
 // Fields on a muscle's surface that follow from its attachments: fibre directions and carry weights.
 
 #include "fascicle/geometry/mesh_topology.hpp"
-#include "fascicle/scene/scene.hpp"
+#include "fascicle/scene/recording.hpp"
 #include "simulation/resolve_attachments.hpp"
 
 namespace fascicle {
 
-/// k per edge for solver.anisotropy: tangents from the surface fibres, else from the harmonic field between origin (0) and
+/// k per edge for solver.anisotropy: tangents from the superficial fibres, else from the muscle's `fibres` (null: it has none), else
+/// from the harmonic field between origin (0) and
 /// insertion (1) when `harmonic` allows. Empty (isotropic) when there is neither, or the exponent is 0.
 std::vector<double> muscle_edge_softness(const Muscle& muscle, const MeshTopology& topology,
                                          const std::vector<Attachment>& attachments,
-                                         const std::vector<BoneQuery>& bones, double exponent, bool harmonic);
+                                         const std::vector<BoneQuery>& bones, const FibreModel* fibres,
+                                         double exponent, bool harmonic);
 
 /// V x B shares of each bone's motion that a vertex is predicted to follow: harmonic between the attachments (1 on those of
 /// the bone, 0 on those of others), columns of bones at rest zero. A muscle without attachments lies loosely between the

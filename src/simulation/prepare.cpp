@@ -4,6 +4,7 @@
 #include "fascicle/geometry/bvh.hpp"
 #include "fascicle/geometry/grid_codec.hpp"
 #include "fascicle/geometry/volume.hpp"
+#include "fascicle/simulation/muscle_fibres.hpp"
 #include "simulation/bone_overlap.hpp"
 #include "simulation/clean_up.hpp"
 #include "simulation/muscle_fields.hpp"
@@ -144,7 +145,7 @@ void describe_attachments(const Scene& scene, const Muscle& muscle,
 }
 
 PreparedMuscle prepare_muscle(const Scene& scene, const Muscle& muscle, const SolverMethod& method,
-                              const PreparedBones& bones, std::vector<std::string>& notes) {
+                              const PreparedBones& bones, int threads, std::vector<std::string>& notes) {
     const double unit_mm = millimetres_per_unit(scene.unit);
     const MeshTopology topology(muscle.mesh->vertex_count(), muscle.mesh->triangles);
     if (!(signed_volume(muscle.mesh->positions, muscle.mesh->triangles) > 0.0))
@@ -194,8 +195,12 @@ PreparedMuscle prepare_muscle(const Scene& scene, const Muscle& muscle, const So
     for (std::size_t b = 0; b < scene.bones.size(); ++b)
         problem.solids.push_back({scene.bones[b].mesh, method.needs_grid ? bones.grids[b] : nullptr});
 
+    prepared.fibres = make_fibres(scene, muscle, *surface, topology, prepared.attachments, threads);
+    if (prepared.fibres != nullptr)
+        for (const std::string& note : prepared.fibres->notes)
+            notes.push_back(muscle.name + ": " + note);
     problem.edge_softness =
-        muscle_edge_softness(muscle, topology, prepared.attachments, bones.queries,
+        muscle_edge_softness(muscle, topology, prepared.attachments, bones.queries, prepared.fibres.get(),
                              scene.parameters.get("solver.anisotropy"), method.needs_grid);
     if (problem.edge_softness.empty() && scene.parameters.get("solver.anisotropy") > 0.0)
         notes.push_back(muscle.name + ": no fibres and no pair of attachments, so it is isotropic");
@@ -222,7 +227,7 @@ PreparedScene prepare_scene(const Scene& scene, int threads, const JobControl& c
     for (std::size_t m = 0; m < scene.muscles.size(); ++m) {
         control.checkpoint("prepare", 0.8 + 0.2 * double(m) / double(scene.muscles.size()));
         prepared.muscles.push_back(
-            prepare_muscle(scene, scene.muscles[m], *prepared.method, bones, prepared.notes));
+            prepare_muscle(scene, scene.muscles[m], *prepared.method, bones, threads, prepared.notes));
         prepared.muscles.back().problem.threads = scene.muscles.size() == 1 ? threads : 1;
     }
     lap.end("muscles");

@@ -27,6 +27,10 @@ public:
         solver_ = std::make_unique<SceneSolver>(scene_, prepared, options_.threads);
         released_.assign(solver_->muscle_count(), 0);
         publish_attachments(prepared);
+        std::vector<FibreModelPtr> fibres;
+        for (const PreparedMuscle& muscle : prepared.muscles)
+            fibres.push_back(muscle.fibres);
+        recording_.set_fibres(std::move(fibres));
         for (std::string& note : prepared.notes)
             recording_.add_note(std::move(note));
         recording_.set_prepare_seconds(seconds_since(start));

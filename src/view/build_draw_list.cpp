@@ -47,6 +47,7 @@ FloatColours muscle_colours(const ViewSubject& subject, const ViewOptions& optio
     };
     switch (options.colouring) {
     case Colouring::anatomy:
+    case Colouring::fibres:
         break;
     case Colouring::strain:
         return cache.extension_colours(i, muscle.mesh, muscle_points(subject.rest, muscle, i), points,
@@ -112,7 +113,22 @@ void add_muscle(render::DrawList& list, const ViewSubject& subject, const ViewOp
     item.colour =
         static_cast<int>(i) == options.selected_muscle ? brighter(palette::muscle) : palette::muscle;
     item.vertex_colours = muscle_colours(subject, options, cache, i, item.colour);
-    item.colour[3] = options.muscle_opacity;
+    const FibreModelPtr fibres = i < subject.fibres.size() && options.fibres ? subject.fibres[i] : nullptr;
+    const bool through = options.colouring == Colouring::fibres && fibres != nullptr;
+    item.colour[3] = through ? std::min(options.muscle_opacity, 0.25f) : options.muscle_opacity;
+    if (through && item.vertex_colours == nullptr)
+        item.gloss = 0.0f;
+    if (fibres != nullptr && item.colour[3] < 1.0f) {
+        const BorderLines lines =
+            cache.fibre_lines(i, muscle.mesh, fibres, rest, points,
+                              options.colouring == Colouring::fibres ? &options.stretch_scale : nullptr);
+        render::LineItem line;
+        line.points = lines.points;
+        line.point_colours = lines.colours;
+        line.colour = palette::fibre;
+        line.width_px = 1.6f;
+        list.lines.push_back(std::move(line));
+    }
     // A highlight would hide the colour that is read as a number.
     item.gloss = options.colouring == Colouring::anatomy ? 0.42f : 0.1f;
     item.wireframe = options.wireframe;
@@ -191,7 +207,8 @@ ViewSubject subject_of(const Recording& recording, int k) {
     FramePtr frame = recording.frame(k);
     if (!frame)
         frame = recording.last_frame();
-    return {recording.scene_ptr(), std::move(frame), recording.frame(0), recording.attachments()};
+    return {recording.scene_ptr(), std::move(frame), recording.frame(0), recording.attachments(),
+            recording.fibres()};
 }
 
 render::DrawList build_draw_list(const ViewSubject& subject, const ViewOptions& options,

@@ -14,6 +14,8 @@ struct ViewSubject {
     FramePtr rest;  ///< frame 0: the reference of strain and the ghost
     /// Attachments in force, one list per muscle; missing lists: those stored in the scene.
     std::vector<std::vector<Attachment>> attachments;
+    /// Fibres of the run, one a muscle, null or missing: none.
+    std::vector<FibreModelPtr> fibres{};
 };
 /// A scene before any run.
 ViewSubject subject_of(ScenePtr scene);
@@ -31,6 +33,9 @@ struct ViewOptions {
     /// Signed distance to the nearest bone, mm: red inside, grey at the surface, blue away from it. Within
     /// +-BoneDistanceCache::reach_mm.
     ColourScale depth_scale{ColourMap::diverging, -1.0, 5.0, 0.0, true};
+    /// Length over rest length of the fibres' segments.
+    ColourScale stretch_scale{ColourMap::diverging, 0.7, 1.3, 1.0};
+    bool fibres = true; ///< where the muscle lets them be seen: translucent, or coloured by them
     bool joint_axis = true;
     bool rest_ghost = false; ///< muscles at rest, faint, behind those of a later frame
     bool wireframe = false;

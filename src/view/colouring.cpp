@@ -6,7 +6,7 @@ namespace fascicle::view {
 
 namespace {
 
-constexpr std::array<ColouringRow, 4> colouring_table{{
+constexpr std::array<ColouringRow, 5> colouring_table{{
     {Colouring::anatomy, "anatomy", "Anatomy", "", "Muscle red with attachment areas."},
     {Colouring::strain, "strain", "Edge extension", "Edge extension [1]",
      "Length over rest length of the edges around each vertex."},
@@ -14,6 +14,8 @@ constexpr std::array<ColouringRow, 4> colouring_table{{
      "Distance of each vertex to the nearest bone, negative (red) inside one."},
     {Colouring::contact, "contact", "Contact", "",
      "Which vertices are free, touch a bone within 0.2 mm, are deeper inside one, or are attached."},
+    {Colouring::fibres, "fibres", "Fibre stretch", "Fibre stretch [1]",
+     "Fibres through a translucent muscle, coloured by length over rest length of each segment."},
 }};
 
 constexpr std::array<ContactRow, 4> contact_table{{

@@ -7,7 +7,7 @@
 
 namespace fascicle::view {
 
-enum class Colouring { anatomy, strain, depth, contact };
+enum class Colouring { anatomy, strain, depth, contact, fibres };
 
 struct ColouringRow {
     Colouring colouring;

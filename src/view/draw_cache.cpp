@@ -1,5 +1,6 @@
 #include "view/draw_cache.hpp"
 
+#include "fascicle/anatomy/fibre_shape.hpp"
 #include "fascicle/base/assert.hpp"
 #include "fascicle/geometry/vertex_normals.hpp"
 #include "view/colouring.hpp"
@@ -221,6 +222,36 @@ FloatColours DrawCache::contact_colours(const Scene& scene, std::size_t muscle, 
     entry.contact_for = distances;
     ++computed_;
     return colours;
+}
+
+BorderLines DrawCache::fibre_lines(std::size_t muscle, const MeshPtr& mesh, const FibreModelPtr& fibres,
+                                   const PointsPtr& rest, const PointsPtr& points, const ColourScale* scale) {
+    Object& entry = object(muscles_, muscle, mesh);
+    const std::optional<ColourScale> wanted = scale ? std::optional(*scale) : std::nullopt;
+    if (entry.fibres == fibres && entry.fibres_rest == rest && entry.fibres_points == points &&
+        entry.fibres_scale == wanted)
+        return entry.fibre_lines;
+    FibreSet now = fibres->rest, before = fibres->rest;
+    fibres->carrier.carry(*points, now.points);
+    fibres->carrier.carry(*rest, before.points);
+    const auto n = now.points_per_fibre();
+    auto ends = std::make_shared<std::vector<render::Vec3f>>();
+    auto colours = scale ? std::make_shared<std::vector<render::Rgba>>() : nullptr;
+    const std::vector<double> stretch = scale ? segment_stretch(now, before) : std::vector<double>{};
+    for (std::size_t f = 0; f < static_cast<std::size_t>(now.count); ++f)
+        for (std::size_t j = 0; j + 1 < n; ++j) {
+            ends->push_back(narrow(now.points[f * n + j]));
+            ends->push_back(narrow(now.points[f * n + j + 1]));
+            if (colours)
+                colours->insert(colours->end(), 2, scale->colour(stretch[f * (n - 1) + j]));
+        }
+    entry.fibres = fibres;
+    entry.fibres_rest = rest;
+    entry.fibres_points = points;
+    entry.fibres_scale = wanted;
+    entry.fibre_lines = {ends, colours};
+    ++computed_;
+    return entry.fibre_lines;
 }
 
 BorderLines DrawCache::attachment_border(std::size_t muscle, const MeshPtr& mesh,

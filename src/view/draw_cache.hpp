@@ -49,6 +49,11 @@ public:
     BorderLines attachment_border(std::size_t muscle, const MeshPtr& mesh,
                                   const std::vector<Attachment>& attachments, const PointsPtr& points);
 
+    /// Segments of the fibres where the muscle is at `points`; colours: their stretch against the muscle at `rest` through the
+    /// scale, null without one.
+    BorderLines fibre_lines(std::size_t muscle, const MeshPtr& mesh, const FibreModelPtr& fibres,
+                            const PointsPtr& rest, const PointsPtr& points, const ColourScale* scale);
+
     /// Box of all meshes of the scene at rest, shown or not.
     BoundingBox rest_bounds(const Scene& scene);
 
@@ -78,6 +83,10 @@ private:
         FloatColours depth_colours, contact_colours;
         BoneDistances depth_for, contact_for; ///< that the colours were made from
         ColourScale depth_scale;
+        FibreModelPtr fibres;
+        PointsPtr fibres_rest, fibres_points;
+        std::optional<ColourScale> fibres_scale;
+        BorderLines fibre_lines;
     };
     Object& object(std::vector<Object>& list, std::size_t index, const MeshPtr& mesh);
     const MeshTopology& topology(Object& object);

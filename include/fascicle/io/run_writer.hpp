@@ -2,6 +2,7 @@
 // What `simulate --out DIR` leaves behind. File names, columns and keys are a promise to other programs (docs/cli.md).
 
 #include "fascicle/io/mesh_data.hpp"
+#include "fascicle/metrics/fibre_series.hpp"
 #include "fascicle/scene/recording.hpp"
 
 #include <filesystem>
@@ -39,8 +40,10 @@ public:
                    std::vector<std::vector<NamedArray>> point_arrays = {});
 
     /// Gives the tables their names and writes series and summary. The recording may have ended early: what is done
-    /// counts.
-    void finish(const Recording& recording);
+    /// counts. series: of the muscles that have fibres, by muscle, null for the others (or empty), with the frames added: fibres.csv, the
+    /// columns of metrics.csv that the whole run decides, and, with vtp, fibres/<muscle>.<frame>.vtp. Without any series the columns of
+    /// fibres are left out.
+    void finish(const Recording& recording, const std::vector<const FibreSeries*>& series = {});
 
 private:
     struct Impl;

@@ -8,6 +8,7 @@
 
 namespace fascicle {
 
+class FibreSeries;   // what the fibres of a muscle do over a run (metrics/fibre_series.hpp)
 class MuscleMeasure; // the quantities of one frame of one muscle (metrics/muscle_measure.hpp)
 
 struct MetricRow {
@@ -16,6 +17,10 @@ struct MetricRow {
     std::string unit;
     std::string meaning;
     std::function<double(const MuscleMeasure&)> value;
+    bool of_fibres = false; ///< NaN for a muscle without fibres
+    /// Of a number that the frames around a frame decide: its value at frame k of the series, right once the run is over; `value`
+    /// is NaN then. Null for all others.
+    std::function<double(const FibreSeries&, int)> over_run = nullptr;
 };
 
 /// The first rows are those of the contract after frame, muscle and angle_deg, in its order.

@@ -3,6 +3,7 @@
 
 #include "fascicle/metrics/dihedral_change.hpp"
 #include "fascicle/metrics/edge_extension.hpp"
+#include "fascicle/metrics/fibre_measure.hpp"
 #include "fascicle/metrics/penetration.hpp"
 #include "fascicle/metrics/rest_distance.hpp"
 #include "fascicle/scene/recording.hpp"
@@ -18,7 +19,8 @@ public:
     /// or nothing when they are not known: then attachment_drift_mm() is NaN.
     MuscleMeasure(const Scene& scene, int muscle, const Frame& rest,
                   std::vector<std::shared_ptr<const SolidQuery>> bones,
-                  std::optional<std::vector<Attachment>> attachments, int threads = 1);
+                  std::optional<std::vector<Attachment>> attachments, int threads = 1,
+                  FibreModelPtr fibres = nullptr);
 
     /// Measures a frame; everything below is then about that frame. overlap_mm: what MuscleOverlapMeasure, which
     /// looks at all muscles together, says of this one.
@@ -35,6 +37,8 @@ public:
     /// The same of the triangles' centroids and of the edges' middles: a bone can come through between vertices.
     const Penetration& centroid_penetration() const { return centroid_penetration_; }
     const Penetration& midpoint_penetration() const { return midpoint_penetration_; }
+    /// Null when the muscle has no fibres.
+    const FibreMeasure* fibres() const { return fibres_.get(); }
     double overlap_mm() const { return overlap_mm_; } ///< depth in other muscles beyond that at rest
     const RestDistance& rest_distance() const { return rest_distance_; } ///< scene units
     /// Largest distance of an attached vertex from where its bone would carry it rigidly from frame 0. Must
@@ -62,6 +66,7 @@ private:
     RestDistanceMeasure rest_distance_measure_;
     PenetrationMeasure penetration_measure_, centroid_measure_, midpoint_measure_;
 
+    std::unique_ptr<FibreMeasure> fibres_;
     PointsPtr points_;
     FrameReport report_;
     Points samples_; ///< kept between calls

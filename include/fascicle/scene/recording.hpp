@@ -2,6 +2,7 @@
 // What a run produces: immutable frames, appended by the simulation's thread and read by anybody at the same
 // time.
 
+#include "fascicle/anatomy/fibre_problem.hpp"
 #include "fascicle/scene/scene.hpp"
 
 #include <cstdint>
@@ -34,6 +35,7 @@ struct Frame {
     FrameReport report;
 };
 
+using FibreModelPtr = std::shared_ptr<const FibreModel>;
 using FramePtr = std::shared_ptr<const Frame>;
 
 enum class RunState { running, finished, cancelled, failed };
@@ -51,6 +53,10 @@ public:
     /// 0.
     void set_attachments(std::vector<std::vector<Attachment>> attachments);
     std::vector<std::vector<Attachment>> attachments() const;
+    /// The fibres of every muscle, null for one that has none; empty before they are set. Set before frame 0. Where they are in a
+    /// frame follows from the muscle's positions: FibreModel::carrier.
+    void set_fibres(std::vector<FibreModelPtr> fibres);
+    std::vector<FibreModelPtr> fibres() const;
     /// Sentences for the user: what was mended, attached, moved out, assumed.
     void add_note(std::string note);
     std::vector<std::string> notes() const;
@@ -72,6 +78,7 @@ private:
     mutable std::mutex mutex_;
     std::vector<FramePtr> frames_;
     std::vector<std::vector<Attachment>> attachments_;
+    std::vector<FibreModelPtr> fibres_;
     std::vector<std::string> notes_;
     double prepare_seconds_ = 0;
     RunState state_ = RunState::running;

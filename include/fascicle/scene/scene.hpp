@@ -3,6 +3,7 @@
 // are shared and never change. Rest positions are those of the meshes.
 
 #include "fascicle/anatomy/attachment.hpp"
+#include "fascicle/anatomy/fibre_template.hpp"
 #include "fascicle/base/param_table.hpp"
 #include "fascicle/geometry/tri_mesh.hpp"
 #include "fascicle/motion/timeline.hpp"
@@ -44,6 +45,8 @@ struct Muscle {
     bool attach_automatically = true;
     std::shared_ptr<const Polylines> surface_fibres; ///< superficial fibres, or null
     MeshSource surface_fibres_source;
+    std::shared_ptr<const FibreTemplate> fibre_template; ///< the user's own; null: that of fibres.template
+    MeshSource fibre_template_source;
 };
 
 struct Scene {
@@ -52,6 +55,8 @@ struct Scene {
     LengthUnit unit = LengthUnit::millimetre;
     std::vector<Bone> bones;
     std::vector<Muscle> muscles;
+    /// Templates that fibres.template may name, by their keys; null: parallel alone.
+    std::shared_ptr<const std::vector<FibreTemplate>> fibre_templates;
     Timeline timeline;
     MeshSource motion_source; ///< the file that the timeline came from; empty: from none
     ParamSet parameters = default_parameters();

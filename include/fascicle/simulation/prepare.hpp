@@ -11,6 +11,7 @@ namespace fascicle {
 struct PreparedMuscle {
     SoftBodyProblem problem;
     std::vector<Attachment> attachments;
+    FibreModelPtr fibres; ///< null when fibres.method is "none"
 };
 
 struct PreparedScene {

@@ -13,6 +13,11 @@ const std::vector<Command>& commands() {
          "      --hinge \"143.86,243.37,-432.53;1,0,0\" --angle-deg -57.3 --out out/flexion\n"
          "  fascicle simulate --project my.fascicle --method classic --set solver.stiffness=0.8 --out out/my",
          add_simulate},
+        {"fibres", "Decompose muscles into fibres at rest",
+         "  fascicle fibres --scene hip --out out/fibres\n"
+         "  fascicle fibres --muscle iliacus.vtk --bone pelvis.obj --moving-bone femur.vtk\n"
+         "      --attachments iliacus=outlines.csv --set fibres.method=kukacka --set fibres.count=64 --out out/fibres",
+         add_fibres},
 #ifdef FASCICLE_HAS_VIEW
         {"render", "Draw one frame of a run or of a source as a picture",
          "  fascicle render out/hip --frame 100 --size 1200x800 --out hip.png\n"

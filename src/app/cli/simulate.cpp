@@ -97,8 +97,13 @@ int simulate(const SimulateOptions& options) {
                                      : std::vector<std::vector<NamedArray>>{});
     };
     const RecordingPtr recording = run_scene(scene, {threads, loaded.notes}, progress, on_frame);
+    std::vector<const FibreSeries*> series;
+    for (int m = 0; metrics != nullptr && m < static_cast<int>(scene->muscles.size()); ++m) {
+        const FibreMeasure* fibres = metrics->muscle(m).fibres();
+        series.push_back(fibres != nullptr ? &fibres->series() : nullptr);
+    }
     if (recording->frame_count() > 0)
-        writer.finish(*recording);
+        writer.finish(*recording, series);
     if (recording->state() == RunState::cancelled)
         report_cancelled(*recording, options.out);
 #ifdef FASCICLE_HAS_VIEW

@@ -146,12 +146,15 @@ private:
         std::vector<LegendEntry> entries;
         switch (context.state.colouring) {
         case view::Colouring::strain:
+        case view::Colouring::fibres:
         case view::Colouring::depth: {
             const view::ViewOptions options;
-            const bool strain = context.state.colouring == view::Colouring::strain;
-            const Rect plate = draw_colour_bar(
-                list, corner, view::colouring_row(context.state.colouring).legend,
-                strain ? options.strain_scale : options.depth_scale, context.theme, context.scale());
+            const view::Colouring colouring = context.state.colouring;
+            const view::ColourScale& scale = colouring == view::Colouring::strain   ? options.strain_scale
+                                             : colouring == view::Colouring::fibres ? options.stretch_scale
+                                                                                    : options.depth_scale;
+            const Rect plate = draw_colour_bar(list, corner, view::colouring_row(colouring).legend, scale,
+                                               context.theme, context.scale());
             record_item("viewport/legend", plate);
             return;
         }
