@@ -50,6 +50,7 @@ private:
         double squared_distance = std::numeric_limits<double>::infinity();
     };
     int walk_down(int start, const Vec3& x, std::span<const Vec3> surface) const;
+    bool within_fan(int vertex, const Vec3& x, std::span<const Vec3> surface) const;
     Foot foot_around(int vertex, const Vec3& x, std::span<const Vec3> surface) const;
     Vec3 moved_in(std::size_t point, const Vec3& x, std::span<const Vec3> surface) const;
 

@@ -48,6 +48,15 @@ int InsideHold::walk_down(int start, const Vec3& x, std::span<const Vec3> surfac
     return nearest;
 }
 
+/// Whether x is on the inner side of the planes of all triangles at a vertex.
+bool InsideHold::within_fan(int vertex, const Vec3& x, std::span<const Vec3> surface) const {
+    const auto v = static_cast<std::size_t>(vertex);
+    for (std::uint32_t k = fan_starts_[v]; k < fan_starts_[v + 1]; ++k)
+        if (beyond(fans_[k], x, surface))
+            return false;
+    return true;
+}
+
 /// The nearest place on the triangles around a vertex, and the outward side of the surface there: the sum of the normals
 /// of the triangles that have it in common, weighted by their angles at a vertex (Baerentzen & Aanaes 2005).
 InsideHold::Foot InsideHold::foot_around(int vertex, const Vec3& x, std::span<const Vec3> surface) const {
@@ -97,9 +106,15 @@ Vec3 InsideHold::moved_in(std::size_t point, const Vec3& x, std::span<const Vec3
     }
     if (start < 0) // a surface that is not finite
         return x;
-    Foot foot = foot_around(walk_down(start, x, surface), x, surface);
-    if (start_beyond >= 0 && start_beyond != start) {
-        const Foot other = foot_around(walk_down(start_beyond, x, surface), x, surface);
+    const int end = walk_down(start, x, surface);
+    const int other_end = start_beyond < 0 ? end : walk_down(start_beyond, x, surface);
+    const auto squared = [&](int v) { return (surface[static_cast<std::size_t>(v)] - x).squaredNorm(); };
+    const int nearest = squared(other_end) < squared(end) ? other_end : end;
+    if (within_fan(nearest, x, surface)) // the common case, and cheap
+        return x;
+    Foot foot = foot_around(end, x, surface);
+    if (other_end != end) {
+        const Foot other = foot_around(other_end, x, surface);
         if (other.squared_distance < foot.squared_distance)
             foot = other;
     }
