@@ -1,5 +1,6 @@
 #include "anatomy/fibres/fibre_finish.hpp"
 
+#include "anatomy/fibres/bind_to_chords.hpp"
 #include "anatomy/fibres/fibre_field.hpp"
 #include "fascicle/base/parallel.hpp"
 #include "fascicle/geometry/bounding_box.hpp"
@@ -14,21 +15,22 @@ namespace {
 /// How far below the surface inner points stay, as a part of the surface's size: about 0.1 mm for a big muscle.
 constexpr double rest_depth = 3e-4;
 
-/// Moves the inner ends of segments whose middle is outside by as much as the middle is moved in. Returns how many
-/// middles were outside.
-int bring_middles_in(const MuscleInside& inside, FibreSet& fibres, double depth, bool move, double tolerance,
-                     int threads) {
+/// Looks at the segments of the fibres marked in `look` whose middle is outside by more than `tolerance`, and moves their
+/// inner ends by as much as the middle is moved in (depth > 0). Marks the fibres that had such; returns how many middles
+/// there were.
+int bring_middles_in(const MuscleInside& inside, FibreSet& fibres, std::vector<char>& look, double depth,
+                     double tolerance, int threads) {
     const auto per_fibre = fibres.points_per_fibre();
-    std::vector<int> outside(static_cast<std::size_t>(fibres.count), 0);
+    std::vector<int> outside(look.size(), 0);
     parallel_for(threads, outside.size(), 4, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f) {
             Vec3* const p = fibres.points.data() + f * per_fibre;
-            for (std::size_t j = 0; j + 1 < per_fibre; ++j) {
+            for (std::size_t j = 0; look[f] != 0 && j + 1 < per_fibre; ++j) {
                 Vec3 middle = 0.5 * (p[j] + p[j + 1]);
-                if (inside.inside(middle) || -inside.depth(middle) <= tolerance)
+                if (inside.inside(middle) || (tolerance > 0 && -inside.depth(middle) <= tolerance))
                     continue;
                 ++outside[f];
-                if (!move)
+                if (depth <= 0)
                     continue;
                 const Vec3 before = middle;
                 inside.move(middle, depth);
@@ -39,6 +41,7 @@ int bring_middles_in(const MuscleInside& inside, FibreSet& fibres, double depth,
                         inside.move(p[k], depth);
                     }
             }
+            look[f] = outside[f] > 0 ? 1 : 0;
         }
     });
     int sum = 0;
@@ -94,18 +97,19 @@ void finish_fibres(const FibreProblem& problem, const MuscleInside& inside, Fibr
     if (count > 0)
         model.notes.push_back(std::to_string(count) + " of " + std::to_string(fibres.points.size()) +
                               " fibre points lay outside of the muscle or on its surface and were moved in");
-    for (int round = 0; round < 3; ++round)
-        if (bring_middles_in(inside, fibres, depth, true, 0.0, problem.threads) == 0)
-            break;
-    const int middles =
-        bring_middles_in(inside, fibres, depth, false, 0.5 / problem.unit_mm, problem.threads);
+    std::vector<char> look(static_cast<std::size_t>(fibres.count), 1);
+    int middles = 1;
+    for (int round = 0; round < 3 && middles > 0; ++round)
+        middles = bring_middles_in(inside, fibres, look, depth, 0.0, problem.threads);
+    middles = bring_middles_in(inside, fibres, look, 0.0, 0.5 / problem.unit_mm, problem.threads);
     if (middles > 0)
         model.notes.push_back(
             std::to_string(middles) + " of " + std::to_string(fibres.count * fibres.segments) +
             " segments leave the muscle by more than 0.5 mm between their points; more segments "
             "follow its bends closer");
     model.seconds.emplace_back("inside", watch.lap());
-    model.carrier = bind_inside(*problem.surface, *problem.topology, fibres.points, problem.threads);
+    model.carrier =
+        bind_to_chords(*problem.surface, *problem.topology, inside.lines(), fibres.points, problem.threads);
     model.seconds.emplace_back("bind", watch.lap());
 }
 

@@ -39,7 +39,7 @@ FibreModel decompose_kukacka(const FibreProblem& given) {
     model.notes.insert(model.notes.end(), field.notes.begin(), field.notes.end());
     model.field = field.at_original(problem.surface->positions.size());
     watch.lap();
-    const MuscleInside inside(*problem.surface);
+    const MuscleInside inside(*problem.surface, problem.threads);
     const double trees = watch.lap();
     const int levels =
         straight(fibre_template) ? problem.segments : std::max(problem.segments, fewest_levels);
