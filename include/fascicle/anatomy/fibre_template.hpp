@@ -27,7 +27,7 @@ struct FibreTemplate {
     Vec3 point(double r, double s, double t) const;
 };
 
-/// Throws an Error naming `where` and the first fault: too few polygons, s not ascending from 0 to 1, neighbours whose
+/// Throws an Error naming `where` and the first fault: too few polygons, s not ascending from 0 to 1, polygons whose
 /// numbers of points differ by more than one, a coordinate outside [0, 1], a weight that is not in (0, 1e6].
 void check_template(const FibreTemplate& fibre_template, const std::string& where);
 

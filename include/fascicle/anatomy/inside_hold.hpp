@@ -45,19 +45,24 @@ private:
         const Vec3& c = surface[static_cast<std::size_t>(tri[2])];
         return (x - a).dot((b - a).cross(c - a)) > 0;
     }
+    int corner_after(std::int32_t half_edge) const {
+        const Tri& t = triangles_[static_cast<std::size_t>(half_edge / 3)];
+        return t[static_cast<std::size_t>((half_edge % 3 + 1) % 3)];
+    }
     struct Foot {
         Vec3 point = Vec3::Zero(), normal = Vec3::Zero(); ///< normal: outwards, of any length
         double squared_distance = std::numeric_limits<double>::infinity();
     };
     int walk_down(int start, const Vec3& x, std::span<const Vec3> surface) const;
+    bool within_fan(int vertex, const Vec3& x, std::span<const Vec3> surface) const;
     Foot foot_around(int vertex, const Vec3& x, std::span<const Vec3> surface) const;
     Vec3 moved_in(std::size_t point, const Vec3& x, std::span<const Vec3> surface) const;
 
     std::vector<std::array<std::int32_t, ends_per_point>> ends_;
     std::vector<double> margins_;
     std::vector<Tri> triangles_;
-    std::vector<std::uint32_t> fan_starts_; ///< triangles at a vertex
-    std::vector<std::int32_t> fans_;
+    std::vector<std::uint32_t> fan_starts_; ///< by vertex, into fans_
+    std::vector<std::int32_t> fans_;        ///< 3 * triangle + corner for each triangle at a vertex
 };
 
 } // namespace fascicle

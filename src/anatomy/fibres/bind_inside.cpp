@@ -1,7 +1,8 @@
 #include "fascicle/anatomy/fibre_carrier.hpp"
 
+#include "anatomy/fibres/bind_to_chords.hpp"
 #include "anatomy/fibres/carrier_builder.hpp"
-#include "anatomy/fibres/line_crossings.hpp"
+#include "anatomy/fibres/muscle_inside.hpp"
 #include "fascicle/base/assert.hpp"
 #include "fascicle/base/error.hpp"
 #include "fascicle/base/parallel.hpp"
@@ -139,7 +140,7 @@ void RowMaker::make(const Vec3& p, const std::array<ChordFind, 13>& finds, Carri
         for (const ChordFind& find : finds)
             if (find.chord && find.winding > 0 && exact(*find.chord, p)) {
                 const double ratio = shortest / find.chord->length;
-                if (const double weight = ratio * ratio * ratio * ratio; weight > 1e-3)
+                if (const double weight = ratio * ratio * ratio * ratio; weight > 5e-3)
                     add(*find.chord, weight, row);
             }
         bound.depth = shortest_ends(finds, bound.ends);
@@ -210,16 +211,16 @@ FibreCarrier bind_inside(const TriMesh& surface, const MeshTopology& topology,
     FASCICLE_ASSERT(topology.vertex_count() == surface.vertex_count());
     if (topology.component_count() == 0)
         throw_error("binding fibres", "the surface has no triangles", "a muscle's surface");
+    return bind_to_chords(surface, topology, chord_lines(surface, threads), rest_points, threads);
+}
+
+FibreCarrier bind_to_chords(const TriMesh& surface, const MeshTopology& topology,
+                            const std::vector<LineCrossings>& lines, std::span<const Vec3> rest_points,
+                            int threads) {
     for (std::size_t i = 0; i < rest_points.size(); ++i)
         if (!rest_points[i].allFinite())
             throw_error("binding fibres", "point " + std::to_string(i) + " is not finite", "numbers");
     const double size = bounding_box(surface.positions, surface.triangles).diagonal();
-    const auto& directions = chord_directions();
-    std::array<std::optional<LineCrossings>, 13> lines;
-    parallel_for(threads, directions.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t d = begin; d < end; ++d)
-            lines[d].emplace(surface, directions[d]);
-    });
     constexpr std::size_t chunk = 128;
     std::vector<std::vector<BoundRow>> chunks((rest_points.size() + chunk - 1) / chunk);
     const RowMaker rows(surface, topology, size);
@@ -228,7 +229,7 @@ FibreCarrier bind_inside(const TriMesh& surface, const MeshTopology& topology,
         CarrierRow row;
         for (std::size_t i = begin; i < end; ++i) {
             for (std::size_t d = 0; d < 13; ++d)
-                finds[d] = find_chords(*lines[d], rest_points[i], 1e-9 * size);
+                finds[d] = find_chords(lines[d], rest_points[i], 1e-9 * size);
             BoundRow& bound = chunks[i / chunk].emplace_back();
             rows.make(rest_points[i], finds, row, bound);
             bound.entries = row.merged();

@@ -11,8 +11,10 @@ namespace fascicle {
 InsideHold::InsideHold(const TriMesh& surface, const MeshTopology& topology) : triangles_(surface.triangles) {
     fan_starts_.push_back(0);
     for (int v = 0; v < surface.vertex_count(); ++v) {
-        for (const int t : topology.vertex_triangles(v))
-            fans_.push_back(t);
+        for (const int t : topology.vertex_triangles(v)) {
+            const Tri& tri = triangles_[static_cast<std::size_t>(t)];
+            fans_.push_back(3 * t + (tri[0] == v ? 0 : tri[1] == v ? 1 : 2));
+        }
         fan_starts_.push_back(static_cast<std::uint32_t>(fans_.size()));
     }
 }
@@ -39,13 +41,22 @@ int InsideHold::walk_down(int start, const Vec3& x, std::span<const Vec3> surfac
         from = nearest;
         const auto v = static_cast<std::size_t>(from);
         for (std::uint32_t k = fan_starts_[v]; k < fan_starts_[v + 1]; ++k)
-            for (const int w : triangles_[static_cast<std::size_t>(fans_[k])])
-                if (const double d = squared(w); d < best) {
-                    best = d;
-                    nearest = w;
-                }
+            // The corner after this one in each triangle: on a closed surface that is every neighbour once.
+            if (const int w = corner_after(fans_[k]); squared(w) < best) {
+                best = squared(w);
+                nearest = w;
+            }
     }
     return nearest;
+}
+
+/// Whether x is on the inner side of the planes of all triangles at a vertex.
+bool InsideHold::within_fan(int vertex, const Vec3& x, std::span<const Vec3> surface) const {
+    const auto v = static_cast<std::size_t>(vertex);
+    for (std::uint32_t k = fan_starts_[v]; k < fan_starts_[v + 1]; ++k)
+        if (beyond(fans_[k] / 3, x, surface))
+            return false;
+    return true;
 }
 
 /// The nearest place on the triangles around a vertex, and the outward side of the surface there: the sum of the normals
@@ -55,8 +66,8 @@ InsideHold::Foot InsideHold::foot_around(int vertex, const Vec3& x, std::span<co
     const auto v = static_cast<std::size_t>(vertex);
     const Vec3& a = surface[v];
     for (std::uint32_t k = fan_starts_[v]; k < fan_starts_[v + 1]; ++k) {
-        const Tri& t = triangles_[static_cast<std::size_t>(fans_[k])];
-        const std::size_t corner = t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2;
+        const Tri& t = triangles_[static_cast<std::size_t>(fans_[k] / 3)];
+        const auto corner = static_cast<std::size_t>(fans_[k] % 3);
         const Vec3& b = surface[static_cast<std::size_t>(t[(corner + 1) % 3])];
         const Vec3& c = surface[static_cast<std::size_t>(t[(corner + 2) % 3])];
         const Vec3 n = (b - a).cross(c - a);
@@ -97,9 +108,15 @@ Vec3 InsideHold::moved_in(std::size_t point, const Vec3& x, std::span<const Vec3
     }
     if (start < 0) // a surface that is not finite
         return x;
-    Foot foot = foot_around(walk_down(start, x, surface), x, surface);
-    if (start_beyond >= 0 && start_beyond != start) {
-        const Foot other = foot_around(walk_down(start_beyond, x, surface), x, surface);
+    const int end = walk_down(start, x, surface);
+    const int other_end = start_beyond < 0 ? end : walk_down(start_beyond, x, surface);
+    const auto squared = [&](int v) { return (surface[static_cast<std::size_t>(v)] - x).squaredNorm(); };
+    const int nearest = squared(other_end) < squared(end) ? other_end : end;
+    if (within_fan(nearest, x, surface)) // the common case, and cheap
+        return x;
+    Foot foot = foot_around(end, x, surface);
+    if (other_end != end) {
+        const Foot other = foot_around(other_end, x, surface);
         if (other.squared_distance < foot.squared_distance)
             foot = other;
     }

@@ -126,6 +126,12 @@ LineNeighbours LineCrossings::at(const Vec3& p) const {
     return result;
 }
 
+void LineCrossings::all(const Vec3& p, std::vector<std::pair<double, int>>& found) const {
+    found.clear();
+    for_crossings(p, [&](const LineCrossing& c, int sign) { found.emplace_back(c.distance, sign); });
+    std::sort(found.begin(), found.end());
+}
+
 const std::array<Vec3, 13>& chord_directions() {
     static const std::array<Vec3, 13> directions = [] {
         const Mat3 turn =

@@ -31,6 +31,9 @@ public:
     LineCrossings(const TriMesh& mesh, const Vec3& direction);
 
     LineNeighbours at(const Vec3& p) const;
+    /// All crossings of the line through p as (distance, +1 where it leaves, -1 where it enters), ascending; replaces what
+    /// `found` holds.
+    void all(const Vec3& p, std::vector<std::pair<double, int>>& found) const;
     const Vec3& direction() const { return axes_[2]; }
 
 private:

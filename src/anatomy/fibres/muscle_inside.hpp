@@ -10,10 +10,13 @@
 
 namespace fascicle {
 
+/// LineCrossings for each of chord_directions().
+std::vector<LineCrossings> chord_lines(const TriMesh& surface, int threads);
+
 /// Borrows the surface. Queries are const and may run on several threads.
 class MuscleInside {
 public:
-    explicit MuscleInside(const TriMesh& surface);
+    explicit MuscleInside(const TriMesh& surface, int threads = 1);
 
     /// Winding number > 0 by crossings along three lines; the majority counts, which matters near holes only.
     bool inside(const Vec3& p) const;
@@ -22,7 +25,8 @@ public:
     /// See move_inside(); returns whether p moved.
     bool move(Vec3& p, double depth) const;
     int move_all(std::span<Vec3> points, double depth, int threads) const;
-    const TriangleBvh& tree() const { return tree_; }
+    /// One for each of chord_directions().
+    const std::vector<LineCrossings>& lines() const { return lines_; }
 
 private:
     const TriMesh* surface_;

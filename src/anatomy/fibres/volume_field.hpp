@@ -1,0 +1,47 @@
+#pragma once
+// A field that is harmonic in the volume of a muscle, on a regular grid.
+
+#include "fascicle/anatomy/fibre_problem.hpp"
+
+namespace fascicle {
+
+/// Cells inside a muscle with u = 0 in those at the origins, 1 at the insertions, the sum over inside neighbours
+/// (u_i - u_j) = 0 elsewhere: the 7-point Laplacian with no flux through the muscle's surface. Two layers of cells around
+/// have the mean of their neighbours, so that u and its gradient can be read up to the surface.
+class VolumeField {
+public:
+    /// About `cells` cells. Error naming the muscle when no connected part of them reaches from origin to insertion.
+    VolumeField(const FibreProblem& checked, int cells);
+
+    double step() const { return step_; }
+    /// Trilinear between cell centres; NaN where cells have no value.
+    double value(const Vec3& p) const;
+    /// Of the trilinear u by central differences over one step; zero where there is none.
+    Vec3 gradient(const Vec3& p) const;
+    /// Centres of inside cells that the level passes through: |u - level| <= |grad u| step / 2.
+    Points cells_at(double level) const;
+
+private:
+    std::size_t index(int x, int y, int z) const {
+        return (static_cast<std::size_t>(z) * static_cast<std::size_t>(size_[1]) +
+                static_cast<std::size_t>(y)) *
+                   static_cast<std::size_t>(size_[0]) +
+               static_cast<std::size_t>(x);
+    }
+    Vec3 centre(int x, int y, int z) const { return low_ + step_ * (Vec3(x, y, z) + Vec3::Constant(0.5)); }
+    void fill(const FibreProblem& problem);
+    void fix(const FibreProblem& problem, AttachmentKind kind);
+    bool keep_connected();
+    void solve();
+    void extend();
+
+    enum class Cell : char { outside, free, origin, insertion, around };
+    Vec3 low_ = Vec3::Zero();
+    double step_ = 1;
+    std::array<int, 3> size_{1, 1, 1};
+    std::array<std::ptrdiff_t, 6> neighbours_{};
+    std::vector<Cell> cells_;
+    std::vector<double> u_;
+};
+
+} // namespace fascicle
