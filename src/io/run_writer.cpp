@@ -268,11 +268,11 @@ void RunWriter::finish(const Recording& recording, const std::vector<const Fibre
         me.remove_stale_frames();
         const double frame_time = me.scene->parameters.get("solver.frame_time");
         for (const Muscle& muscle : me.scene->muscles) {
-            std::vector<std::pair<double, std::string>> series;
+            std::vector<std::pair<double, std::string>> files;
             for (const int frame : me.vtp_frames)
-                series.emplace_back(frame * frame_time, io::frame_file(muscle.name, frame).generic_string());
+                files.emplace_back(frame * frame_time, io::frame_file(muscle.name, frame).generic_string());
             AtomicFile file(me.folder / io::series_file(muscle.name));
-            io::write_pvd(file.stream(), series);
+            io::write_pvd(file.stream(), files);
             file.commit();
         }
     }
