@@ -1,6 +1,7 @@
 #pragma once
 // Points inside a muscle as fixed blends of surface vertices, so that they follow every frame.
 
+#include "fascicle/anatomy/inside_hold.hpp"
 #include "fascicle/geometry/mesh_topology.hpp"
 #include "fascicle/geometry/tri_mesh.hpp"
 
@@ -10,14 +11,15 @@
 
 namespace fascicle {
 
-/// A sparse matrix of weights: each row sums to 1, so carrying follows every affine motion of the surface exactly.
-/// Plain data; const calls may run on several threads.
+/// A sparse matrix of weights, each row with sum 1, then a hold that puts back what the surface has passed over. It
+/// follows every affine motion of the surface (that is no reflection) exactly. Plain data; const calls may run on several
+/// threads.
 class FibreCarrier {
 public:
     FibreCarrier() = default;
 
-    /// points[i] = sum_k w_ik surface[v_ik], each row summed in one fixed order: the same bits always. surface: the
-    /// V vertices it was bound to; points: point_count() places. Allocates nothing.
+    /// points[i] = sum_k w_ik surface[v_ik], each row summed in one fixed order, then InsideHold: the same bits always.
+    /// surface: the V vertices it was bound to; points: point_count() places. Allocates nothing.
     void carry(std::span<const Vec3> surface, std::span<Vec3> points) const;
 
     std::size_t point_count() const { return starts_.size() - 1; }
@@ -40,6 +42,7 @@ private:
     std::vector<std::int32_t> vertices_;
     std::vector<double> weights_;
     std::size_t surface_vertices_ = 0;
+    InsideHold hold_;
 };
 
 /// Binds points in or on a closed surface at rest. A point on the surface (within 1e-9 of the surface's size) becomes
