@@ -3,6 +3,7 @@
 #include "fascicle/base/assert.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -80,62 +81,106 @@ Assignment assign_exactly(const std::vector<double>& cost, int n) {
     return result;
 }
 
-Assignment assign_greedily(const std::vector<double>& cost, int n, int rounds) {
-    FASCICLE_ASSERT(n >= 0 && cost.size() == static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
-    const auto size = static_cast<std::size_t>(n);
-    // Only the cheapest cells of each row can be taken early; the rest is filled up row by row.
-    const std::size_t kept = std::min<std::size_t>(size, 32);
-    std::vector<std::size_t> cells, row(size);
-    cells.reserve(size * kept);
-    const auto cheaper = [&](std::size_t a, std::size_t b) {
-        return cost[a] != cost[b] ? cost[a] < cost[b] : a < b;
-    };
-    for (std::size_t i = 0; i < size; ++i) {
-        std::iota(row.begin(), row.end(), i * size);
-        std::partial_sort(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(kept), row.end(), cheaper);
-        cells.insert(cells.end(), row.begin(), row.begin() + static_cast<std::ptrdiff_t>(kept));
+namespace {
+
+/// Square cost of some rows and columns.
+std::vector<double> part_of(const std::vector<double>& cost, std::size_t n, const std::vector<std::size_t>& rows,
+                            const std::vector<std::size_t>& columns) {
+    // The lacking rows or columns are made up, at no cost.
+    const std::size_t size = std::max(rows.size(), columns.size());
+    std::vector<double> part(size * size, 0.0);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        for (std::size_t j = 0; j < columns.size(); ++j)
+            part[i * size + j] = cost[rows[i] * n + columns[j]];
+    return part;
+}
+
+std::vector<std::size_t> range(std::size_t begin, std::size_t end) {
+    std::vector<std::size_t> list(end - begin);
+    std::iota(list.begin(), list.end(), begin);
+    return list;
+}
+
+/// Each row in turn exchanges its column for one of its cheapest with the row that has it, where that lowers the sum.
+void exchange(const std::vector<double>& cost, std::vector<int>& column) {
+    constexpr int most_rounds = 30;
+    const std::size_t n = column.size(), kept = std::min<std::size_t>(n, 32);
+    std::vector<std::size_t> wishes, row(n), owner(n);
+    wishes.reserve(n * kept);
+    for (std::size_t i = 0; i < n; ++i) {
+        owner[static_cast<std::size_t>(column[i])] = i;
+        std::iota(row.begin(), row.end(), std::size_t{0});
+        std::partial_sort(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(kept), row.end(),
+                          [&](std::size_t a, std::size_t b) {
+                              const double x = cost[i * n + a], y = cost[i * n + b];
+                              return x != y ? x < y : a < b;
+                          });
+        wishes.insert(wishes.end(), row.begin(), row.begin() + static_cast<std::ptrdiff_t>(kept));
     }
-    std::sort(cells.begin(), cells.end(), cheaper);
+    bool changed = true;
+    for (int round = 0; round < most_rounds && changed; ++round) {
+        changed = false;
+        for (std::size_t at = 0; at < wishes.size(); ++at) {
+            const std::size_t i = at / kept, wanted = wishes[at], k = owner[wanted];
+            const auto has = static_cast<std::size_t>(column[i]);
+            const double now = cost[i * n + has] + cost[k * n + wanted];
+            const double then = cost[i * n + wanted] + cost[k * n + has];
+            if (!(then < now - 1e-12 * std::abs(now)))
+                continue;
+            std::swap(column[i], column[k]);
+            std::swap(owner[has], owner[wanted]);
+            changed = true;
+        }
+    }
+}
+
+} // namespace
+
+Assignment assign_in_blocks(const std::vector<double>& cost, int n, int blocks) {
+    FASCICLE_ASSERT(n >= 0 && cost.size() == static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
+    FASCICLE_ASSERT(blocks >= 1);
+    const auto size = static_cast<std::size_t>(n), count = std::min(static_cast<std::size_t>(blocks), size);
+    const auto border = [&](std::size_t block) { return block * size / count; };
+    std::vector<double> coarse(count * count, 0.0);
+    for (std::size_t a = 0; a < count; ++a)
+        for (std::size_t i = border(a); i < border(a + 1); ++i)
+            for (std::size_t b = 0; b < count; ++b) {
+                double sum = 0;
+                for (std::size_t j = border(b); j < border(b + 1); ++j)
+                    sum += cost[i * size + j];
+                coarse[a * count + b] += sum / static_cast<double>(border(b + 1) - border(b));
+            }
+    const Assignment pairs = assign_exactly(coarse, static_cast<int>(count));
     Assignment result;
     result.column.assign(size, -1);
-    std::vector<char> taken(size, 0);
-    for (const std::size_t c : cells)
-        if (result.column[c / size] < 0 && !taken[c % size]) {
-            result.column[c / size] = static_cast<int>(c % size);
-            taken[c % size] = 1;
+    std::vector<std::size_t> spare_rows, spare_columns; // blocks differ by one in size
+    const auto assign_part = [&](const std::vector<std::size_t>& rows, const std::vector<std::size_t>& columns) {
+        const std::vector<double> part = part_of(cost, size, rows, columns);
+        const std::size_t side = std::max(rows.size(), columns.size());
+        const Assignment inner = assign_exactly(part, static_cast<int>(side));
+        for (std::size_t i = 0; i < side; ++i) {
+            const auto j = static_cast<std::size_t>(inner.column[i]);
+            if (i < rows.size() && j < columns.size())
+                result.column[rows[i]] = static_cast<int>(columns[j]);
+            else if (i < rows.size())
+                spare_rows.push_back(rows[i]);
+            else if (j < columns.size())
+                spare_columns.push_back(columns[j]);
         }
-    for (std::size_t i = 0; i < size; ++i) {
-        if (result.column[i] >= 0)
-            continue;
-        std::size_t best = size;
-        for (std::size_t j = 0; j < size; ++j)
-            if (!taken[j] && (best == size || cost[i * size + j] < cost[i * size + best]))
-                best = j;
-        result.column[i] = static_cast<int>(best);
-        taken[best] = 1;
+    };
+    for (std::size_t a = 0; a < count; ++a) {
+        const auto b = static_cast<std::size_t>(pairs.column[a]);
+        assign_part(range(border(a), border(a + 1)), range(border(b), border(b + 1)));
     }
-    for (int round = 0; round < rounds; ++round) {
-        bool changed = false;
-        for (int i = 0; i < n; ++i)
-            for (int k = i + 1; k < n; ++k) {
-                int& a = result.column[static_cast<std::size_t>(i)];
-                int& b = result.column[static_cast<std::size_t>(k)];
-                const double now = cost[cell(i, a, n)] + cost[cell(k, b, n)];
-                const double then = cost[cell(i, b, n)] + cost[cell(k, a, n)];
-                if (then < now * (1.0 - 1e-12)) {
-                    std::swap(a, b);
-                    changed = true;
-                }
-            }
-        if (!changed)
-            break;
-    }
+    const std::vector<std::size_t> rows = spare_rows, columns = spare_columns;
+    assign_part(rows, columns);
+    exchange(cost, result.column);
     result.cost = total(cost, result.column);
     return result;
 }
 
 Assignment assign(const std::vector<double>& cost, int n) {
-    return n <= exact_limit ? assign_exactly(cost, n) : assign_greedily(cost, n);
+    return n <= exact_limit ? assign_exactly(cost, n) : assign_in_blocks(cost, n, exact_limit);
 }
 
 } // namespace fascicle

@@ -15,13 +15,15 @@ struct Assignment {
 /// O(n^3) at worst. Ties go to the lowest column. n >= 0.
 Assignment assign_exactly(const std::vector<double>& cost, int n);
 
-/// Nearly the least: pairs are taken in the order of their cost, then rows exchange their columns two by two as long as
-/// that lowers the sum, in a fixed order, at most `rounds` times over all pairs. O(n^2 log n) and n^2 a round; never more
-/// than the greedy cost. A few percent above the least on fibre ends.
-Assignment assign_greedily(const std::vector<double>& cost, int n, int rounds = 30);
+/// Nearly the least, for many rows that are in an order in which neighbours are alike, and columns too (points along a
+/// curve that fills a surface): rows and columns are cut into `blocks` runs of about the same length, the runs assigned
+/// exactly by their mean costs, then the rows within each run exactly; last, each row in turn exchanges its column for one
+/// of its 32 cheapest with the row that has it, wherever that lowers the sum. O(n^2 + blocks^3). blocks >= 1; as many as
+/// rows is exact.
+Assignment assign_in_blocks(const std::vector<double>& cost, int n, int blocks);
 
-/// assign_exactly up to `exact_limit` rows, else assign_greedily.
-constexpr int exact_limit = 400;
+/// assign_exactly up to `exact_limit` rows, else in so many blocks.
+constexpr int exact_limit = 256;
 Assignment assign(const std::vector<double>& cost, int n);
 
 } // namespace fascicle

@@ -94,7 +94,7 @@ FibreModel decompose_chmd(const FibreProblem& problem) {
     fibres.points.resize(strands.size() * fibres.points_per_fibre());
     parallel_for(problem.threads, strands.size(), 4, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f) {
-            const Points fibre = finish_fibre(solid, strands[f], from.trim[f], to.trim[f], from.targets[f],
+            const Points fibre = finish_fibre(*problem.surface, solid, strands[f], from.trim[f], to.trim[f], from.targets[f],
                                               to.targets[f], problem.segments);
             std::copy(fibre.begin(), fibre.end(),
                       fibres.points.begin() + static_cast<std::ptrdiff_t>(f * fibres.points_per_fibre()));

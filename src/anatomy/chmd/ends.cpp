@@ -77,15 +77,17 @@ void assign_head(const FibreProblem& problem, const std::vector<Strand>& strands
     const std::size_t n = members.size();
     std::vector<double> cost(n * n);
     std::vector<OpenEnd> open(n);
+    std::vector<char> moved(n, 1);
     for (int round = 0; round <= most_rounds; ++round) {
         for (std::size_t i = 0; i < n; ++i) {
             const auto strand = static_cast<std::size_t>(members[i]);
-            open[i] = open_end(strands[strand], ends.trim[strand], at_origin);
+            if (moved[i])
+                open[i] = open_end(strands[strand], ends.trim[strand], at_origin);
         }
         parallel_for(problem.threads, n, 16, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
-                for (std::size_t k = 0; k < n; ++k)
-                    cost[i * n + k] = (samples[k] - open[i].point).norm() *
+                for (std::size_t k = 0; k < n && moved[i]; ++k)
+                    cost[i * n + k] = (samples[k] - open[i].point).squaredNorm() *
                                       (distance_share + bend(open[i], samples[k]) / std::numbers::pi);
         });
         const Assignment chosen = assign(cost, static_cast<int>(n));
@@ -94,10 +96,12 @@ void assign_head(const FibreProblem& problem, const std::vector<Strand>& strands
             const auto strand = static_cast<std::size_t>(members[i]);
             const Vec3& target = samples[static_cast<std::size_t>(chosen.column[i])];
             ends.targets[strand] = target;
+            moved[i] = 0;
             if (round == most_rounds || bend(open[i], target) <= steepest_bend || ends.trim[strand] >= most_trim)
                 continue;
             ends.trim[strand] =
                 std::min(most_trim, ends.trim[strand] + 0.1 * std::max(strands[strand].depth, 1.0 / 3.0));
+            moved[i] = 1;
             again = true;
         }
         if (!again)
