@@ -6,8 +6,10 @@
 #include "fascicle/anatomy/fibre_methods.hpp"
 #include "fascicle/base/error.hpp"
 #include "fascicle/base/parallel.hpp"
+#include "fascicle/geometry/volume.hpp"
 
 #include <chrono>
+#include <cstdio>
 
 namespace fascicle {
 
@@ -52,6 +54,9 @@ void require_problem(const FibreProblem& problem) {
     if (const std::size_t open = problem.topology->boundary_edges().size(); open > 0)
         throw_error(problem.muscle, "the surface has holes (" + std::to_string(open) + " border edges)",
                     "a closed surface, so that its thickness is known");
+    if (!(signed_volume(problem.surface->positions, problem.surface->triangles) > 0.0))
+        throw_error(problem.muscle, "the surface is inside out or encloses nothing",
+                    "triangles counter-clockwise seen from outside");
     require_patches(problem);
 }
 
@@ -103,6 +108,12 @@ FibreModel decompose_chmd(const FibreProblem& problem) {
     clock.end("finish");
     model.carrier = bind_inside(*problem.surface, *problem.topology, fibres.points, problem.threads);
     clock.end("carrier");
+    if (control.farthest * problem.unit_mm > 5.0) {
+        char text[80];
+        std::snprintf(text, sizeof text, ": surface fibres lie up to %.1f mm from the surface and were laid onto it",
+                      control.farthest * problem.unit_mm);
+        model.notes.push_back(problem.muscle + text);
+    }
     int heads[2] = {0, 0};
     for (int i = 0; i < rows.spans(); ++i) {
         heads[0] += rows.splits(i, true) ? 1 : 0;

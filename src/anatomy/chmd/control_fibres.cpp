@@ -43,20 +43,25 @@ Points line_points(const FibreProblem& problem, std::size_t number) {
     return line;
 }
 
-void require_near(const FibreProblem& problem, const SolidQuery& solid, const Points& line, std::size_t number) {
+/// Returns the greatest distance of a point to the surface.
+double require_near(const FibreProblem& problem, const SolidQuery& solid, const Points& line, std::size_t number) {
     BoundingBox box;
     for (const Vec3& p : problem.surface->positions)
         box.add(p);
     const double limit = std::max(10.0 / problem.unit_mm, 0.05 * box.diagonal());
-    double sum = 0;
-    for (const Vec3& p : line)
-        sum += std::sqrt(solid.bvh().closest(p).squared_distance);
+    double sum = 0, farthest = 0;
+    for (const Vec3& p : line) {
+        const double distance = std::sqrt(solid.bvh().closest(p).squared_distance);
+        sum += distance;
+        farthest = std::max(farthest, distance);
+    }
     const double mean = sum / static_cast<double>(line.size());
     if (mean > limit)
         throw_error(problem.muscle,
                     "surface fibre " + std::to_string(number + 1) + " lies " + millimetres(mean, problem) +
                         " from the muscle's surface on average",
                     "superficial fibres of this muscle, within " + millimetres(limit, problem) + ", in its unit");
+    return farthest;
 }
 
 double mean_gap(const Points& a, const Points& b) {
@@ -148,7 +153,7 @@ std::vector<std::size_t> path_order(const std::vector<Points>& fibres) {
     return best;
 }
 
-/// Positive when the fibres run from left to right seen from outside with the origin above.
+/// Negative when the fibres run from left to right seen from outside with the origin above.
 double handedness(const FibreProblem& problem, const SolidQuery& solid, const std::vector<Points>& fibres) {
     double sum = 0;
     const std::size_t m = fibres.front().size();
@@ -186,10 +191,11 @@ ControlFibres order_control_fibres(const FibreProblem& problem, const SolidQuery
         throw_error(problem.muscle, "there " + std::string(n == 1 ? "is 1 surface fibre" : "are " + std::to_string(n) + " surface fibres"),
                     wanted);
     std::vector<Points> lines;
+    ControlFibres result;
     double longest = 0;
     for (std::size_t i = 0; i < n; ++i) {
         lines.push_back(line_points(problem, i));
-        require_near(problem, solid, lines.back(), i);
+        result.farthest = std::max(result.farthest, require_near(problem, solid, lines.back(), i));
         longest = std::max(longest, polyline_length(lines.back()));
     }
     const int rows = static_cast<int>(std::clamp(std::ceil(longest * problem.unit_mm / 10.0) + 1.0, 8.0, 32.0));
@@ -197,10 +203,9 @@ ControlFibres order_control_fibres(const FibreProblem& problem, const SolidQuery
     for (Points& line : lines)
         line = equal_arcs(smooth_line(line, 16), rows - 1);
     std::sort(lines.begin(), lines.end(), comes_first); // so that the order in the file does not matter
-    ControlFibres result;
     for (const std::size_t i : path_order(lines))
         result.fibres.push_back(lines[i]);
-    if (handedness(problem, solid, result.fibres) < 0.0)
+    if (handedness(problem, solid, result.fibres) > 0.0)
         std::reverse(result.fibres.begin(), result.fibres.end());
     return result;
 }

@@ -8,9 +8,10 @@
 namespace fascicle::chmd {
 
 /// n >= 2 fibres of `rows` points each at equal arcs of the centripetal curve through the given points, all from origin
-/// to insertion, each beside its neighbours; (across x along) points outwards.
+/// to insertion, each beside its neighbours, from left to right seen from outside with the origin above.
 struct ControlFibres {
     std::vector<Points> fibres;
+    double farthest = 0; ///< greatest distance of a given point to the muscle's surface
     int rows() const { return static_cast<int>(fibres.front().size()); }
     int count() const { return static_cast<int>(fibres.size()); }
 };

@@ -27,6 +27,12 @@ Eigen::Matrix<double, 3, 2> principal_plane(const Points& points) {
     const Eigen::SelfAdjointEigenSolver<Mat3> solver(spread);
     Eigen::Matrix<double, 3, 2> plane;
     plane << solver.eigenvectors().col(2), solver.eigenvectors().col(1);
+    for (Eigen::Index k = 0; k < 2; ++k) { // their signs are arbitrary: the longest component is positive
+        Eigen::Index longest = 0;
+        plane.col(k).cwiseAbs().maxCoeff(&longest);
+        if (plane(longest, k) < 0.0)
+            plane.col(k) *= -1.0;
+    }
     return plane;
 }
 
@@ -63,7 +69,7 @@ std::vector<std::size_t> curve_order(const Points& positions, const std::vector<
     const double size = std::max((high - low).maxCoeff(), 1e-300);
     std::vector<unsigned> place;
     for (const Vec2& p : flat) {
-        const Vec2 q = (p - low) / size * 1023.0;
+        const Vec2 q = ((p - low) / size * 1019.53).array() + 1.37; // regular meshes do not fall on the cells' borders
         place.push_back(hilbert_place(static_cast<unsigned>(q.x()), static_cast<unsigned>(q.y())));
     }
     std::vector<std::size_t> order(triangles.size());
