@@ -46,8 +46,8 @@ Assignment assign_exactly(const std::vector<double>& cost, int n) {
             for (std::size_t j = 0; j < size; ++j) {
                 if (done[j])
                     continue;
-                const double reduced =
-                    cost[cell(i, static_cast<int>(j), n)] - row_price[static_cast<std::size_t>(i)] - column_price[j];
+                const double reduced = cost[cell(i, static_cast<int>(j), n)] -
+                                       row_price[static_cast<std::size_t>(i)] - column_price[j];
                 if (reduced < slack[j]) {
                     slack[j] = reduced;
                     reached_from[j] = static_cast<int>(at);
@@ -84,8 +84,8 @@ Assignment assign_exactly(const std::vector<double>& cost, int n) {
 namespace {
 
 /// Square cost of some rows and columns.
-std::vector<double> part_of(const std::vector<double>& cost, std::size_t n, const std::vector<std::size_t>& rows,
-                            const std::vector<std::size_t>& columns) {
+std::vector<double> part_of(const std::vector<double>& cost, std::size_t n,
+                            const std::vector<std::size_t>& rows, const std::vector<std::size_t>& columns) {
     // The lacking rows or columns are made up, at no cost.
     const std::size_t size = std::max(rows.size(), columns.size());
     std::vector<double> part(size * size, 0.0);
@@ -154,7 +154,8 @@ Assignment assign_in_blocks(const std::vector<double>& cost, int n, int blocks) 
     Assignment result;
     result.column.assign(size, -1);
     std::vector<std::size_t> spare_rows, spare_columns; // blocks differ by one in size
-    const auto assign_part = [&](const std::vector<std::size_t>& rows, const std::vector<std::size_t>& columns) {
+    const auto assign_part = [&](const std::vector<std::size_t>& rows,
+                                 const std::vector<std::size_t>& columns) {
         const std::vector<double> part = part_of(cost, size, rows, columns);
         const std::size_t side = std::max(rows.size(), columns.size());
         const Assignment inner = assign_exactly(part, static_cast<int>(side));

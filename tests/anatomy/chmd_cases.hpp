@@ -76,8 +76,8 @@ inline ChmdCase ellipsoid_case(int levels = 4) {
         Points line;
         for (int k = 0; k <= 12; ++k) {
             const double latitude = 1.2 - 0.2 * k;
-            line.push_back(Vec3(std::cos(latitude) * std::sin(longitude), -std::cos(latitude) * std::cos(longitude),
-                                std::sin(latitude))
+            line.push_back(Vec3(std::cos(latitude) * std::sin(longitude),
+                                -std::cos(latitude) * std::cos(longitude), std::sin(latitude))
                                .cwiseProduct(ellipsoid_radii));
         }
         made.add_fibre(line);

@@ -2,6 +2,7 @@
 #include "fascicle/anatomy/fibre_methods.hpp"
 #include "fascicle/base/error.hpp"
 #include "fascicle/geometry/solid_query.hpp"
+#include "geometry/surface_oracles.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -55,7 +56,8 @@ void check_fibres(const FibreModel& model, const test::ChmdCase& made, double to
 TEST_CASE("CHMD: any number of fibres and segments, inside, from origin to insertion", "[anatomy][chmd]") {
     test::ChmdCase box = test::box_case(), ellipsoid = test::ellipsoid_case();
     for (test::ChmdCase* made : {&box, &ellipsoid})
-        for (const auto& [count, segments] : std::vector<std::pair<int, int>>{{1, 1}, {2, 200}, {37, 4}, {100, 15}, {300, 2}}) {
+        for (const auto& [count, segments] :
+             std::vector<std::pair<int, int>>{{1, 1}, {2, 200}, {37, 4}, {100, 15}, {300, 2}}) {
             INFO(count << " x " << segments);
             const FibreModel model = decompose_chmd(made->problem(count, segments, 2));
             REQUIRE(model.rest.count == count);
@@ -155,9 +157,15 @@ TEST_CASE("CHMD: bad input is said in one line that names the muscle", "[anatomy
     with([](auto& c) { c.fibres.points[1] = c.fibres.points[2] = c.fibres.points[0]; },
          "surface fibre 1 has fewer than 2 different points");
     with([](auto& c) { c.fibres.lines[1][1] = 99; }, "surface fibre 2 uses point 99, which does not exist");
-    with([](auto& c) { c.fibres.points[0].x() = std::nan(""); }, "surface fibre 1 has a point that is not finite");
-    with([](auto& c) { for (Vec3& p : c.fibres.points) p.y() -= 40; },
-         "surface fibre 1 lies 40.0 mm from the muscle's surface on average; expected superficial fibres of this muscle");
+    with([](auto& c) { c.fibres.points[0].x() = std::nan(""); },
+         "surface fibre 1 has a point that is not finite");
+    with(
+        [](auto& c) {
+            for (Vec3& p : c.fibres.points)
+                p.y() -= 40;
+        },
+        "surface fibre 1 lies 40.0 mm from the muscle's surface on average; expected superficial fibres of "
+        "this muscle");
     with([](auto& c) { c.patches.pop_back(); }, "no insertion is attached");
     with([](auto& c) { c.patches.erase(c.patches.begin()); }, "no origin is attached");
     with([](auto& c) { c.patches[0].kind = AttachmentKind::unknown; }, "is neither origin nor insertion");
@@ -168,7 +176,8 @@ TEST_CASE("CHMD: bad input is said in one line that names the muscle", "[anatomy
     with([](auto& c) { c.mesh.triangles.clear(); }, "has no surface");
     with([](auto& c) { c.mesh.positions[3].z() = INFINITY; }, "a vertex is not finite");
     for (const int count : {0, -3, 2001})
-        fails(made.problem(count, 5), "the number of fibres is " + std::to_string(count) + "; expected 1 to 2000");
+        fails(made.problem(count, 5),
+              "the number of fibres is " + std::to_string(count) + "; expected 1 to 2000");
     for (const int segments : {0, 201})
         fails(made.problem(5, segments), "the number of segments is " + std::to_string(segments));
     FibreProblem none = made.problem(5, 5);
@@ -197,7 +206,8 @@ TEST_CASE("CHMD: odd but usable input", "[anatomy][chmd]") {
         for (int f = 0; f < 30; ++f) {
             double nearest = 1e300;
             for (const int v : vertices)
-                nearest = std::min(nearest, (model.rest.fibre(f).front() - made.mesh.positions[std::size_t(v)]).norm());
+                nearest = std::min(
+                    nearest, (model.rest.fibre(f).front() - made.mesh.positions[std::size_t(v)]).norm());
             CHECK(nearest < 1e-9);
         }
     }
@@ -214,5 +224,39 @@ TEST_CASE("CHMD: odd but usable input", "[anatomy][chmd]") {
         const FibreModel model = decompose_chmd(made.problem(30, 8));
         check_fibres(model, made, 1e-3);
         CHECK_THAT(model.notes.at(0), Contains("up to 8.0 mm"));
+    }
+}
+
+TEST_CASE("CHMD: random fibres, attachments and shapes give finite fibres inside, from origin to insertion",
+          "[anatomy][chmd]") {
+    test::Random random(21);
+    for (int trial = 0; trial < 40; ++trial) {
+        INFO("trial " << trial);
+        test::ChmdCase made;
+        made.mesh = trial % 3 == 0   ? test::torus(30, 8 + trial % 7)
+                    : trial % 3 == 1 ? test::joined(test::sphere(20, 2), test::sphere(15, 2, Vec3(28, 0, 3)))
+                                     : test::sphere(25, 2);
+        for (const AttachmentKind kind :
+             {AttachmentKind::origin, AttachmentKind::insertion, AttachmentKind::origin}) {
+            const Vec3 centre = made.mesh.positions[random.index(made.mesh.positions.size())];
+            const double reach = random.real(4, 20); // triangles, or single vertices
+            made.add_patch(kind, [&](const Vec3& p) { return (p - centre).norm() < reach; });
+        }
+        const int fibres = 2 + static_cast<int>(random.index(6));
+        for (int i = 0; i < fibres; ++i) {
+            Points line;
+            for (std::size_t k = 0; k < 2 + random.index(6); ++k)
+                line.push_back(random.on_surface(made.mesh) + random.real(0, 4) * random.direction());
+            made.add_fibre(line);
+        }
+        const int count = 1 + static_cast<int>(random.index(60)),
+                  segments = 1 + static_cast<int>(random.index(20));
+        const FibreModel model = decompose_chmd(made.problem(count, segments));
+        REQUIRE(model.rest.points.size() == std::size_t(count) * std::size_t(segments + 1));
+        const SolidQuery solid(made.mesh);
+        for (const Vec3& p : model.rest.points) {
+            REQUIRE(p.allFinite());
+            REQUIRE(solid.signed_distance(p) < 0.01);
+        }
     }
 }

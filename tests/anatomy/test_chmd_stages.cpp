@@ -65,7 +65,8 @@ TEST_CASE("thickness of an ellipsoid", "[anatomy][chmd]") {
         for (int span = 0; span < net.rows.spans(); ++span)
             for (const double share : {0.0, 0.5}) {
                 const Thickness line = net.rows.thickness(j, span, share);
-                const Vec3 p = line.top.cwiseQuotient(r), d = -net.rows.normal(j, span, share).cwiseQuotient(r);
+                const Vec3 p = line.top.cwiseQuotient(r),
+                           d = -net.rows.normal(j, span, share).cwiseQuotient(r);
                 // |p + t d|^2 = 1 with |p| = 1.
                 CHECK(line.length() == Approx(-2.0 * p.dot(d) / d.squaredNorm()).epsilon(0.01));
                 CHECK(p.norm() == Approx(1.0).epsilon(0.01));
@@ -113,7 +114,7 @@ TEST_CASE("as many strands as wanted, in layers inside the muscle", "[anatomy][c
             for (const Strand& strand : strands)
                 for (const Vec3& p : strand.path) {
                     double outside = net.solid.signed_distance(p);
-                    if (made == &box) // exactly known
+                    if (made == &box)          // exactly known
                         CHECK(outside <= 3.6); // side strands bulge out of a box until they are put inside
                     else if (made == &bars)
                         CHECK(outside <= 2.6);
@@ -193,8 +194,8 @@ TEST_CASE("strands that would turn back sharply are shortened before they are le
                   [](const Vec3& p) { return p.y() > 19.9 && p.z() > 64.9 && p.z() < 85.1; });
     const Net net(box.problem(100, 15));
     const std::vector<Strand> strands = make_strands(net.problem, net.rows);
-    const StrandEnds from = assign_ends(net.problem, strands, net.origin, true);
-    const StrandEnds to = assign_ends(net.problem, strands, net.insertion, false);
+    const StrandEnds from = assign_ends(net.problem, net.rows, strands, net.origin, true);
+    const StrandEnds to = assign_ends(net.problem, net.rows, strands, net.insertion, false);
     int shortened = 0;
     for (std::size_t i = 0; i < strands.size(); ++i) {
         CHECK((from.trim[i] >= 0.0 && from.trim[i] <= 0.45));

@@ -16,11 +16,13 @@ Points random_points(test::Random& random, int count) {
 }
 
 /// The pyramid of Barry & Goldman over four points and their knots, at t in [t1, t2].
-Vec3 pyramid(const Vec3& p0, const Vec3& p1, const Vec3& p2, const Vec3& p3, const std::array<double, 4>& t, double at) {
+Vec3 pyramid(const Vec3& p0, const Vec3& p1, const Vec3& p2, const Vec3& p3, const std::array<double, 4>& t,
+             double at) {
     const auto between = [&](const Vec3& a, const Vec3& b, double from, double to) {
         return Vec3((to - at) / (to - from) * a + (at - from) / (to - from) * b);
     };
-    const Vec3 a1 = between(p0, p1, t[0], t[1]), a2 = between(p1, p2, t[1], t[2]), a3 = between(p2, p3, t[2], t[3]);
+    const Vec3 a1 = between(p0, p1, t[0], t[1]), a2 = between(p1, p2, t[1], t[2]),
+               a3 = between(p2, p3, t[2], t[3]);
     const Vec3 b1 = between(a1, a2, t[0], t[2]), b2 = between(a2, a3, t[1], t[3]);
     return between(b1, b2, t[1], t[2]);
 }
@@ -65,7 +67,8 @@ TEST_CASE("the centripetal curve passes through its points with the tangents of 
         CHECK((start - spline.tangents()[i]).norm() < 1e-4); // so it is smooth at every knot
         CHECK((end - spline.tangents()[i + 1]).norm() < 1e-4);
         if (i > 0) {
-            const Vec3 formula = (p[i] - p[i - 1]) / (t[i] - t[i - 1]) - (p[i + 1] - p[i - 1]) / (t[i + 1] - t[i - 1]) +
+            const Vec3 formula = (p[i] - p[i - 1]) / (t[i] - t[i - 1]) -
+                                 (p[i + 1] - p[i - 1]) / (t[i + 1] - t[i - 1]) +
                                  (p[i + 1] - p[i]) / (t[i + 1] - t[i]);
             CHECK((spline.tangents()[i] - formula).norm() < 1e-12);
         }

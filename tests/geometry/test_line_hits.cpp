@@ -25,14 +25,15 @@ std::vector<LineHit> brute_force(const TriMesh& mesh, const Vec3& origin, const 
             continue;
         const Vec3 x = system.inverse() * (origin - at(0));
         if (x.x() >= 0.0 && x.y() >= 0.0 && x.x() + x.y() <= 1.0)
-            hits.push_back({x.z(), static_cast<int>(t),
-                            (at(1) - at(0)).cross(at(2) - at(0)).dot(direction) < 0.0});
+            hits.push_back(
+                {x.z(), static_cast<int>(t), (at(1) - at(0)).cross(at(2) - at(0)).dot(direction) < 0.0});
     }
     return hits;
 }
 
 void sort_by_triangle(std::vector<LineHit>& hits) {
-    std::sort(hits.begin(), hits.end(), [](const LineHit& a, const LineHit& b) { return a.triangle < b.triangle; });
+    std::sort(hits.begin(), hits.end(),
+              [](const LineHit& a, const LineHit& b) { return a.triangle < b.triangle; });
 }
 
 } // namespace

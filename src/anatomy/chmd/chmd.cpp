@@ -30,7 +30,8 @@ void require_patches(const FibreProblem& problem) {
         if (patch.kind == AttachmentKind::unknown)
             throw_error(problem.muscle, who + " is neither origin nor insertion", "one of the two");
         if (patch.vertices.empty())
-            throw_error(problem.muscle, who + " holds no vertex of the muscle", "an attachment that touches the muscle");
+            throw_error(problem.muscle, who + " holds no vertex of the muscle",
+                        "an attachment that touches the muscle");
         for (const int v : patch.vertices)
             if (v < 0 || v >= problem.surface->vertex_count())
                 throw_error(problem.muscle, who + " uses vertex " + std::to_string(v),
@@ -39,7 +40,8 @@ void require_patches(const FibreProblem& problem) {
     }
     for (const int k : {0, 1})
         if (!found[k])
-            throw_error(problem.muscle, std::string("no ") + (k == 0 ? "origin" : "insertion") + " is attached",
+            throw_error(problem.muscle,
+                        std::string("no ") + (k == 0 ? "origin" : "insertion") + " is attached",
                         "at least one origin and one insertion, which the fibres run between");
 }
 
@@ -89,8 +91,8 @@ FibreModel decompose_chmd(const FibreProblem& problem) {
     clock.end("rows");
     const std::vector<Strand> strands = make_strands(problem, rows);
     clock.end("layers");
-    const StrandEnds from = assign_ends(problem, strands, origin, true);
-    const StrandEnds to = assign_ends(problem, strands, insertion, false);
+    const StrandEnds from = assign_ends(problem, rows, strands, origin, true);
+    const StrandEnds to = assign_ends(problem, rows, strands, insertion, false);
     clock.end("ends");
 
     FibreSet& fibres = model.rest;
@@ -99,8 +101,8 @@ FibreModel decompose_chmd(const FibreProblem& problem) {
     fibres.points.resize(strands.size() * fibres.points_per_fibre());
     parallel_for(problem.threads, strands.size(), 4, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f) {
-            const Points fibre = finish_fibre(*problem.surface, solid, strands[f], from.trim[f], to.trim[f], from.targets[f],
-                                              to.targets[f], problem.segments);
+            const Points fibre = finish_fibre(*problem.surface, solid, strands[f], from.trim[f], to.trim[f],
+                                              from.targets[f], to.targets[f], problem.segments);
             std::copy(fibre.begin(), fibre.end(),
                       fibres.points.begin() + static_cast<std::ptrdiff_t>(f * fibres.points_per_fibre()));
         }
@@ -110,19 +112,15 @@ FibreModel decompose_chmd(const FibreProblem& problem) {
     clock.end("carrier");
     if (control.farthest * problem.unit_mm > 5.0) {
         char text[80];
-        std::snprintf(text, sizeof text, ": surface fibres lie up to %.1f mm from the surface and were laid onto it",
+        std::snprintf(text, sizeof text,
+                      ": surface fibres lie up to %.1f mm from the surface and were laid onto it",
                       control.farthest * problem.unit_mm);
         model.notes.push_back(problem.muscle + text);
     }
-    int heads[2] = {0, 0};
-    for (int i = 0; i < rows.spans(); ++i) {
-        heads[0] += rows.splits(i, true) ? 1 : 0;
-        heads[1] += rows.splits(i, false) ? 1 : 0;
-    }
-    for (const int k : {0, 1})
-        if (heads[k] > 0)
-            model.notes.push_back(problem.muscle + ": " + std::to_string(heads[k] + 1) + " heads at the " +
-                                  (k == 0 ? "origin" : "insertion"));
+    for (const bool at_origin : {true, false})
+        if (const int heads = rows.head(rows.spans(), at_origin) + 1; heads > 1)
+            model.notes.push_back(problem.muscle + ": " + std::to_string(heads) + " heads at the " +
+                                  (at_origin ? "origin" : "insertion"));
     return model;
 }
 

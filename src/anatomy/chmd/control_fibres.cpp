@@ -44,7 +44,8 @@ Points line_points(const FibreProblem& problem, std::size_t number) {
 }
 
 /// Returns the greatest distance of a point to the surface.
-double require_near(const FibreProblem& problem, const SolidQuery& solid, const Points& line, std::size_t number) {
+double require_near(const FibreProblem& problem, const SolidQuery& solid, const Points& line,
+                    std::size_t number) {
     BoundingBox box;
     for (const Vec3& p : problem.surface->positions)
         box.add(p);
@@ -60,7 +61,8 @@ double require_near(const FibreProblem& problem, const SolidQuery& solid, const 
         throw_error(problem.muscle,
                     "surface fibre " + std::to_string(number + 1) + " lies " + millimetres(mean, problem) +
                         " from the muscle's surface on average",
-                    "superficial fibres of this muscle, within " + millimetres(limit, problem) + ", in its unit");
+                    "superficial fibres of this muscle, within " + millimetres(limit, problem) +
+                        ", in its unit");
     return farthest;
 }
 
@@ -181,14 +183,16 @@ bool comes_first(const Points& a, const Points& b) {
 
 } // namespace
 
-ControlFibres order_control_fibres(const FibreProblem& problem, const SolidQuery& solid, const PatchSurface& origin,
-                                   const PatchSurface& insertion) {
+ControlFibres order_control_fibres(const FibreProblem& problem, const SolidQuery& solid,
+                                   const PatchSurface& origin, const PatchSurface& insertion) {
     const std::string wanted = "2 to " + std::to_string(most_fibres) + " superficial fibres of this muscle";
     if (problem.surface_fibres == nullptr)
         throw_error(problem.muscle, "CHMD needs superficial fibres and there are none", wanted);
     const std::size_t n = problem.surface_fibres->lines.size();
     if (n < 2 || n > most_fibres)
-        throw_error(problem.muscle, "there " + std::string(n == 1 ? "is 1 surface fibre" : "are " + std::to_string(n) + " surface fibres"),
+        throw_error(problem.muscle,
+                    "there " + std::string(n == 1 ? "is 1 surface fibre"
+                                                  : "are " + std::to_string(n) + " surface fibres"),
                     wanted);
     std::vector<Points> lines;
     ControlFibres result;
@@ -198,7 +202,8 @@ ControlFibres order_control_fibres(const FibreProblem& problem, const SolidQuery
         result.farthest = std::max(result.farthest, require_near(problem, solid, lines.back(), i));
         longest = std::max(longest, polyline_length(lines.back()));
     }
-    const int rows = static_cast<int>(std::clamp(std::ceil(longest * problem.unit_mm / 10.0) + 1.0, 8.0, 32.0));
+    const int rows =
+        static_cast<int>(std::clamp(std::ceil(longest * problem.unit_mm / 10.0) + 1.0, 8.0, 32.0));
     orient(lines, origin, insertion); // before resampling, so that a reversed line gives the same bits
     for (Points& line : lines)
         line = equal_arcs(smooth_line(line, 16), rows - 1);

@@ -21,7 +21,7 @@ struct ControlFibres {
 /// fibre. Rows: one every 10 mm of the longest, 8 to 32. Error naming the muscle for: none given, fewer than two, more
 /// than 500, one with fewer than 2 different points or one not finite, one that lies on average farther than 10 mm from
 /// the surface (or a twentieth of the muscle's size where that is more).
-ControlFibres order_control_fibres(const FibreProblem& problem, const SolidQuery& solid, const PatchSurface& origin,
-                                   const PatchSurface& insertion);
+ControlFibres order_control_fibres(const FibreProblem& problem, const SolidQuery& solid,
+                                   const PatchSurface& origin, const PatchSurface& insertion);
 
 } // namespace fascicle::chmd

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace fascicle::chmd {
@@ -44,26 +43,25 @@ int head(const Strand& strand, bool at_origin) {
     return at_origin ? strand.origin_head : strand.insertion_head;
 }
 
-/// Per head the triangles that are its own; all of them where it would have none.
+/// Per head the triangles that are its own, those nearest to one of its control fibres' ends; all of them where it would
+/// have none.
 std::vector<std::vector<Tri>> triangles_of_heads(const Points& positions, const PatchSurface& patch,
-                                                 const std::vector<Strand>& strands, bool at_origin, int heads) {
+                                                 const Rows& rows, bool at_origin) {
+    const int fibres = rows.spans() + 1, heads = rows.head(fibres - 1, at_origin) + 1;
     if (heads == 1)
         return {patch.triangles};
     std::vector<std::vector<Tri>> own(static_cast<std::size_t>(heads));
     for (const Tri& t : patch.triangles) {
-        const Vec3 centre = (positions[static_cast<std::size_t>(t[0])] + positions[static_cast<std::size_t>(t[1])] +
-                             positions[static_cast<std::size_t>(t[2])]) /
-                            3.0;
-        double least = std::numeric_limits<double>::infinity();
+        const Vec3 centre =
+            (positions[static_cast<std::size_t>(t[0])] + positions[static_cast<std::size_t>(t[1])] +
+             positions[static_cast<std::size_t>(t[2])]) /
+            3.0;
         int nearest = 0;
-        for (const Strand& strand : strands) {
-            const Vec3& end = at_origin ? strand.path.front() : strand.path.back();
-            if (const double d = (end - centre).squaredNorm(); d < least) {
-                least = d;
-                nearest = head(strand, at_origin);
-            }
-        }
-        own[static_cast<std::size_t>(nearest)].push_back(t);
+        for (int i = 1; i < fibres; ++i)
+            if ((rows.end(i, at_origin) - centre).squaredNorm() <
+                (rows.end(nearest, at_origin) - centre).squaredNorm())
+                nearest = i;
+        own[static_cast<std::size_t>(rows.head(nearest, at_origin))].push_back(t);
     }
     for (auto& triangles : own)
         if (triangles.empty())
@@ -72,8 +70,8 @@ std::vector<std::vector<Tri>> triangles_of_heads(const Points& positions, const 
 }
 
 /// Assigns the strands of one head and shortens them; writes their rows of `ends`.
-void assign_head(const FibreProblem& problem, const std::vector<Strand>& strands, const std::vector<int>& members,
-                 const Points& samples, bool at_origin, StrandEnds& ends) {
+void assign_head(const FibreProblem& problem, const std::vector<Strand>& strands,
+                 const std::vector<int>& members, const Points& samples, bool at_origin, StrandEnds& ends) {
     const std::size_t n = members.size();
     std::vector<double> cost(n * n);
     std::vector<OpenEnd> open(n);
@@ -97,7 +95,8 @@ void assign_head(const FibreProblem& problem, const std::vector<Strand>& strands
             const Vec3& target = samples[static_cast<std::size_t>(chosen.column[i])];
             ends.targets[strand] = target;
             moved[i] = 0;
-            if (round == most_rounds || bend(open[i], target) <= steepest_bend || ends.trim[strand] >= most_trim)
+            if (round == most_rounds || bend(open[i], target) <= steepest_bend ||
+                ends.trim[strand] >= most_trim)
                 continue;
             ends.trim[strand] =
                 std::min(most_trim, ends.trim[strand] + 0.1 * std::max(strands[strand].depth, 1.0 / 3.0));
@@ -111,23 +110,20 @@ void assign_head(const FibreProblem& problem, const std::vector<Strand>& strands
 
 } // namespace
 
-StrandEnds assign_ends(const FibreProblem& problem, const std::vector<Strand>& strands, const PatchSurface& patch,
-                       bool at_origin) {
+StrandEnds assign_ends(const FibreProblem& problem, const Rows& rows, const std::vector<Strand>& strands,
+                       const PatchSurface& patch, bool at_origin) {
     StrandEnds ends;
     ends.trim.assign(strands.size(), 0.0);
     ends.targets.assign(strands.size(), Vec3::Zero());
-    int heads = 1;
-    for (const Strand& strand : strands)
-        heads = std::max(heads, head(strand, at_origin) + 1);
-    const auto own = triangles_of_heads(problem.surface->positions, patch, strands, at_origin, heads);
-    for (int h = 0; h < heads; ++h) {
+    const auto own = triangles_of_heads(problem.surface->positions, patch, rows, at_origin);
+    for (std::size_t h = 0; h < own.size(); ++h) {
         std::vector<int> members;
         for (std::size_t i = 0; i < strands.size(); ++i)
-            if (head(strands[i], at_origin) == h)
+            if (head(strands[i], at_origin) == static_cast<int>(h))
                 members.push_back(static_cast<int>(i));
         const unsigned seed = (at_origin ? origin_seed : insertion_seed) + 100 * static_cast<unsigned>(h);
-        const Points samples = sample_patch(problem.surface->positions, own[static_cast<std::size_t>(h)],
-                                            static_cast<int>(members.size()), seed);
+        const Points samples =
+            sample_patch(problem.surface->positions, own[h], static_cast<int>(members.size()), seed);
         assign_head(problem, strands, members, samples, at_origin, ends);
     }
     return ends;

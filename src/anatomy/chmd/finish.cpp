@@ -16,7 +16,9 @@ int side_of_face(const TriMesh& mesh, const Vec3& p, const SurfacePoint& near) {
     if (near.weights.minCoeff() < 1e-6)
         return 0;
     const Tri& t = mesh.triangles[static_cast<std::size_t>(near.triangle)];
-    const auto at = [&](std::size_t k) -> const Vec3& { return mesh.positions[static_cast<std::size_t>(t[k])]; };
+    const auto at = [&](std::size_t k) -> const Vec3& {
+        return mesh.positions[static_cast<std::size_t>(t[k])];
+    };
     return (p - near.point).dot((at(1) - at(0)).cross(at(2) - at(0))) < 0.0 ? -1 : 1;
 }
 
@@ -63,8 +65,8 @@ void smooth(Points& line, int passes) {
 
 } // namespace
 
-Points finish_fibre(const TriMesh& mesh, const SolidQuery& solid, const Strand& strand, double trim_from, double trim_to, const Vec3& from,
-                    const Vec3& to, int segments) {
+Points finish_fibre(const TriMesh& mesh, const SolidQuery& solid, const Strand& strand, double trim_from,
+                    double trim_to, const Vec3& from, const Vec3& to, int segments) {
     const Points middle = part_of_line(strand.path, trim_from, 1.0 - trim_to);
     Points knots{from};
     // A knot that is very near the next would only make a kink.
@@ -75,7 +77,7 @@ Points finish_fibre(const TriMesh& mesh, const SolidQuery& solid, const Strand& 
     knots.push_back(to);
     smooth(knots, 5);
     const int spans = static_cast<int>(knots.size()) - 1;
-    const int dense = std::max(48, 2 * segments);
+    const int dense = std::max(32, 2 * segments);
     Points line = smooth_line(std::move(knots), (dense + spans - 1) / spans);
     for (int round = 0; round < 3 && push_inside(mesh, solid, line, true); ++round)
         smooth(line, 3);

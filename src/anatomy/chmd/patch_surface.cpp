@@ -57,7 +57,8 @@ unsigned hilbert_place(unsigned x, unsigned y) {
 std::vector<std::size_t> curve_order(const Points& positions, const std::vector<Tri>& triangles) {
     Points centres;
     for (const Tri& t : triangles)
-        centres.emplace_back((corner(positions, t, 0) + corner(positions, t, 1) + corner(positions, t, 2)) / 3.0);
+        centres.emplace_back((corner(positions, t, 0) + corner(positions, t, 1) + corner(positions, t, 2)) /
+                             3.0);
     const auto plane = principal_plane(centres);
     Vec2 low = Vec2::Constant(1e300), high = -low;
     std::vector<Vec2> flat;
@@ -69,13 +70,15 @@ std::vector<std::size_t> curve_order(const Points& positions, const std::vector<
     const double size = std::max((high - low).maxCoeff(), 1e-300);
     std::vector<unsigned> place;
     for (const Vec2& p : flat) {
-        const Vec2 q = ((p - low) / size * 1019.53).array() + 1.37; // regular meshes do not fall on the cells' borders
+        const Vec2 q =
+            ((p - low) / size * 1019.53).array() + 1.37; // regular meshes do not fall on the cells' borders
         place.push_back(hilbert_place(static_cast<unsigned>(q.x()), static_cast<unsigned>(q.y())));
     }
     std::vector<std::size_t> order(triangles.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t a, std::size_t b) { return place[a] != place[b] ? place[a] < place[b] : a < b; });
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return place[a] != place[b] ? place[a] < place[b] : a < b;
+    });
     return order;
 }
 
@@ -110,7 +113,8 @@ Points sample_patch(const Points& positions, const std::vector<Tri>& triangles, 
     for (const bool alike : {false, true}) {
         for (std::size_t i = 0; i < order.size(); ++i) {
             const Tri& t = triangles[order[i]];
-            const Vec3 &a = corner(positions, t, 0), &b = corner(positions, t, 1), &c = corner(positions, t, 2);
+            const Vec3 &a = corner(positions, t, 0), &b = corner(positions, t, 1),
+                       &c = corner(positions, t, 2);
             sum += alike ? 1.0 : (b - a).cross(c - a).norm();
             until[i] = sum;
         }
@@ -126,8 +130,8 @@ Points sample_patch(const Points& positions, const std::vector<Tri>& triangles, 
         const Tri& t = triangles[order[i]];
         // Uniform in the triangle (Osada et al. 2002): weights 1 - sqrt(p), sqrt(p) (1 - q), sqrt(p) q.
         const double root = std::sqrt(hash_uniform(seed, place + 1)), q = hash_uniform(seed, place + 2);
-        samples.emplace_back((1.0 - root) * corner(positions, t, 0) + root * (1.0 - q) * corner(positions, t, 1) +
-                             root * q * corner(positions, t, 2));
+        samples.emplace_back((1.0 - root) * corner(positions, t, 0) +
+                             root * (1.0 - q) * corner(positions, t, 1) + root * q * corner(positions, t, 2));
     }
     return samples;
 }

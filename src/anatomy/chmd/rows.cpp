@@ -52,15 +52,19 @@ void Rows::find_normals(const ControlFibres& control) {
             along += (fibre[z(std::min(j + 1, m - 1))] - fibre[z(std::max(j - 1, 0))]).normalized();
         along = along.squaredNorm() > 0.0 ? along.normalized() : along;
         for (int i = 0; i <= 4 * spans(); ++i) {
-            const Vec3 p = i < 4 * spans() ? across_[z(j)].at(i / 4, 0.25 * (i % 4)) : across_[z(j)].points().back();
+            const Vec3 p =
+                i < 4 * spans() ? across_[z(j)].at(i / 4, 0.25 * (i % 4)) : across_[z(j)].points().back();
             const SurfacePoint near = solid_.bvh().closest(p);
-            Vec3 normal = surface_normal(near.triangle) / (1.0 + near.squared_distance / (0.01 * reach_ * reach_));
+            Vec3 normal =
+                surface_normal(near.triangle) / (1.0 + near.squared_distance / (0.01 * reach_ * reach_));
             normal -= normal.dot(along) * along;
             mean[z(j)] += normal;
             local[z(j * n + (i + 2) / 4)] += normal;
         }
     }
-    const auto unit = [](const Vec3& v) { return v.norm() > 1e-9 ? Vec3(v.normalized()) : Vec3(Vec3::Zero()); };
+    const auto unit = [](const Vec3& v) {
+        return v.norm() > 1e-9 ? Vec3(v.normalized()) : Vec3(Vec3::Zero());
+    };
     normals_.assign(z(m * n), Vec3::Zero());
     for (int j = 0; j < m; ++j)
         for (int i = 0; i < n; ++i) {
@@ -139,6 +143,13 @@ bool Rows::splits(int span, bool at_origin) const {
     while (open < rows() && gap(at_origin ? open : rows() - 1 - open, span).open)
         ++open;
     return open >= 2 && 8 * open >= rows();
+}
+
+int Rows::head(int fibre, bool at_origin) const {
+    int count = 0;
+    for (int span = 0; span < fibre; ++span)
+        count += splits(span, at_origin) ? 1 : 0;
+    return count;
 }
 
 Vec3 Rows::place(int row, int span, double share) const {

@@ -32,12 +32,16 @@ public:
     /// Unit direction out of the muscle: the row's mean normal, which keeps the lines of a row from crossing, with up to
     /// as much of the surface's normals round about, the less the more they differ from it.
     Vec3 normal(int row, int span, double share) const;
-    const Gap& gap(int row, int span) const {
-        return gaps_[static_cast<std::size_t>(row * spans() + span)];
-    }
+    const Gap& gap(int row, int span) const { return gaps_[static_cast<std::size_t>(row * spans() + span)]; }
     /// Whether the muscle is split into heads at this span at its origin end (else insertion end): the gap is open in
     /// the first rows, at least two and an eighth of all.
     bool splits(int span, bool at_origin) const;
+    /// Head that a control fibre belongs to at one end: splits to the left of it.
+    int head(int fibre, bool at_origin) const;
+    /// First or last point of a control fibre.
+    const Vec3& end(int fibre, bool at_origin) const {
+        return (at_origin ? across_.front() : across_.back()).points()[static_cast<std::size_t>(fibre)];
+    }
 
     /// Place on the superficial layer at share in [0, 1] of a span; where the row has a gap the first half of the
     /// shares is pushed to its left side, the rest to its right.

@@ -62,11 +62,9 @@ std::vector<Column> make_columns(const FibreProblem& problem, const Rows& rows, 
             even_out(columns[c].lines);
             for (const Thickness& line : columns[c].lines)
                 columns[c].mean += line.length() / rows.rows();
-            for (int i = 0; i <= span; ++i)
-                if (i < span || share > 0.5) {
-                    columns[c].origin_head += rows.splits(i, true) ? 1 : 0;
-                    columns[c].insertion_head += rows.splits(i, false) ? 1 : 0;
-                }
+            const int fibre = share > 0.5 ? span + 1 : span; // the nearer one
+            columns[c].origin_head = rows.head(fibre, true);
+            columns[c].insertion_head = rows.head(fibre, false);
         }
     });
     return columns;
@@ -120,7 +118,8 @@ Net choose_net(const FibreProblem& problem, const Rows& rows) {
         width += polyline_length(row) / rows.rows();
     }
     const double spacing = std::sqrt(std::max(width * thickness, 1e-12 * width * width) / problem.count);
-    const int v = static_cast<int>(std::clamp(spacing > 0.0 ? std::round(thickness / spacing) : 2.0, 2.0, 50.0));
+    const int v =
+        static_cast<int>(std::clamp(spacing > 0.0 ? std::round(thickness / spacing) : 2.0, 2.0, 50.0));
     // Every column gives at least two layers, so the search ends.
     int s = std::max(1, problem.count / (rows.spans() * (v + 1)));
     while (s > 1 && static_cast<int>(rows.spans() * (s - 1)) * (v + 1) >= problem.count)
@@ -164,8 +163,8 @@ Strand side_strand(const Net& net, bool left, int layer) {
     const double share = static_cast<double>(layer) / net.v;
     Strand strand{share, outer.origin_head, outer.insertion_head, {}};
     for (std::size_t j = 0; j < outer.lines.size(); ++j)
-        strand.path.push_back(CentripetalSpline({inner.lines[j].top, outer.lines[j].top, outer.lines[j].bottom,
-                                                 inner.lines[j].bottom})
+        strand.path.push_back(CentripetalSpline({inner.lines[j].top, outer.lines[j].top,
+                                                 outer.lines[j].bottom, inner.lines[j].bottom})
                                   .at(1, share));
     return strand;
 }

@@ -22,7 +22,8 @@ const std::vector<Row>& rows() {
          embedded::make_squish_box},
         {{"cylinder", "strap over a cylinder on a hinge: length and moment arm known in closed form"},
          embedded::make_cylinder},
-        {{"two-heads", "muscle with two origins that grow together, with superficial fibres, stretched by a lever"},
+        {{"two-heads",
+          "muscle with two origins that grow together, with superficial fibres, stretched by a lever"},
          embedded::make_two_heads}};
     return table;
 }

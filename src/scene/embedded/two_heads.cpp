@@ -16,14 +16,10 @@ const Vec3 hinge_centre(0, 28, -95);
 /// One head from its block down to the lever; side: -1 left, 1 right. The right head is the shorter one.
 std::vector<TubeStation> head_stations(double side) {
     const double top = side < 0 ? 104 : 88;
-    return {{Vec3(27 * side, -6, top), 9, 6},
-            {Vec3(25 * side, -8, top - 22), 12, 8.5},
-            {Vec3(20 * side, -10, 50), 13, 10.5},
-            {Vec3(12 * side, -11, 22), 12.5, 11.5},
-            {Vec3(9 * side, -11, -10), 12, 12},
-            {Vec3(6 * side, -10, -45), 10, 10.5},
-            {Vec3(2.5 * side, -8.5, -72), 7.5, 7.5},
-            {Vec3(1.5 * side, -8, -88.5), 7, 5.5}};
+    return {{Vec3(27 * side, -6, top), 9, 6},        {Vec3(25 * side, -8, top - 22), 12, 8.5},
+            {Vec3(20 * side, -10, 50), 13, 10.5},    {Vec3(12 * side, -11, 22), 12.5, 11.5},
+            {Vec3(9 * side, -11, -10), 12, 12},      {Vec3(6 * side, -10, -45), 10, 10.5},
+            {Vec3(2.5 * side, -8.5, -72), 7.5, 7.5}, {Vec3(1.5 * side, -8, -88.5), 7, 5.5}};
 }
 
 /// Width and middle of a head at a height, linear between its stations (z falls from one to the next).
@@ -32,7 +28,7 @@ struct HeadSlice {
 };
 HeadSlice slice_of(const std::vector<TubeStation>& stations, double z) {
     for (std::size_t i = 1; i < stations.size(); ++i)
-        if (const TubeStation &a = stations[i - 1], &b = stations[i]; z >= b.point.z()) {
+        if (const TubeStation& a = stations[i - 1], &b = stations[i]; z >= b.point.z()) {
             const double t = std::min(1.0, (a.point.z() - z) / (a.point.z() - b.point.z()));
             return {a.point.x() + t * (b.point.x() - a.point.x()), a.wide + t * (b.wide - a.wide)};
         }
@@ -98,8 +94,8 @@ Scene make_two_heads(int threads) {
     };
 
     Scene scene;
-    scene.bones = {make_bone("left_block", left, 1600, threads), make_bone("right_block", right, 1600, threads),
-                   make_bone("lever", lever, 2400, threads)};
+    scene.bones = {make_bone("left_block", left, 1600, threads),
+                   make_bone("right_block", right, 1600, threads), make_bone("lever", lever, 2400, threads)};
     Muscle muscle;
     muscle.name = "two_heads";
     const ImplicitField field(value, {Vec3(-46, -34, -102), Vec3(46, 18, 112), 1.5}, threads);
