@@ -158,6 +158,16 @@ TEST_CASE("CHMD: gluteus maximus from its five superficial fibres", "[anatomy][c
     CHECK(*std::min_element(lengths.begin(), lengths.end()) > 120.0);
     CHECK(*std::max_element(lengths.begin(), lengths.end()) < 330.0);
 
+    double sharpest = 0; // between segments, rad
+    for (int f = 0; f < 100; ++f)
+        for (std::size_t k = 1; k < 15; ++k) {
+            const auto fibre = model.rest.fibre(f);
+            const Vec3 a = fibre[k] - fibre[k - 1], b = fibre[k + 1] - fibre[k];
+            sharpest = std::max(sharpest, std::atan2(a.cross(b).norm(), a.dot(b)));
+        }
+    INFO("sharpest bend " << sharpest);
+    CHECK(sharpest < 0.9);
+
     // More fibres and segments describe the same muscle; threads change nothing.
     problem.count = 400;
     problem.segments = 30;

@@ -40,6 +40,45 @@ TEST_CASE("control fibres run from origin to insertion, side by side, left to ri
             CHECK((net.control.fibres[std::size_t(i)][std::size_t(j)] - expected).norm() < 0.2);
         }
     CHECK(net.control.farthest < 1e-12);
+
+    for (Vec3& p : box.fibres.points) // on its back left and right change places
+        p.y() = 20.0;
+    const Net behind(box.problem(100, 15));
+    for (int i = 0; i < 3; ++i)
+        CHECK(behind.control.fibres[std::size_t(i)].front().x() == Approx(50.0 - 20.0 * i));
+}
+
+TEST_CASE("a control fibre that is as near either way runs as its neighbours do", "[anatomy][chmd]") {
+    test::ChmdCase box = test::box_case();
+    box.fibres = {};
+    box.add_fibre({Vec3(10, 0, 95), Vec3(10, 0, 5)});
+    box.add_fibre({Vec3(30, 0, 47), Vec3(30, 0, 53)});
+    box.add_fibre({Vec3(50, 0, 5), Vec3(50, 0, 95)});
+    // Over and under the middle fibre there is an origin and an insertion each.
+    box.patches.clear();
+    const auto middle = [](const Vec3& p) { return p.x() > 24.0 && p.x() < 36.0; };
+    box.add_patch(AttachmentKind::origin, [&](const Vec3& p) { return p.z() > 99.9; });
+    box.add_patch(AttachmentKind::origin, [&](const Vec3& p) { return p.z() < 0.1 && middle(p); });
+    box.add_patch(AttachmentKind::insertion, [&](const Vec3& p) { return p.z() < 0.1; });
+    box.add_patch(AttachmentKind::insertion, [&](const Vec3& p) { return p.z() > 99.9 && middle(p); });
+    const Net net(box.problem(100, 15));
+    for (const Points& fibre : net.control.fibres)
+        CHECK(fibre.front().z() > fibre.back().z());
+}
+
+TEST_CASE("a line that only grazes the muscle at its rim is moved in", "[anatomy][chmd]") {
+    test::ChmdCase ellipsoid = test::ellipsoid_case(5);
+    ellipsoid.fibres = {};
+    for (const double x : {-29.99, -10.0, 10.0, 33.0}) { // grazing, inside twice, beside the muscle
+        const double y = -15.0 * std::sqrt(std::max(0.0, 1.0 - x * x / 900.0));
+        ellipsoid.add_fibre({Vec3(x, y, 8), Vec3(x, y, 0), Vec3(x, y, -8)});
+    }
+    const Net net(ellipsoid.problem(100, 15));
+    const int middle = net.rows.rows() / 2;
+    for (const Thickness& line : {net.rows.thickness(middle, 0, 0.0), net.rows.thickness(middle, 2, 1.0)}) {
+        CHECK(line.length() > 8.0);
+        CHECK(std::abs(line.top.x()) < 29.0);
+    }
 }
 
 TEST_CASE("thickness of a box", "[anatomy][chmd]") {
@@ -90,6 +129,30 @@ TEST_CASE("a gap between two bars is found where it is", "[anatomy][chmd]") {
     CHECK(net.rows.splits(0, false));
 }
 
+TEST_CASE("lines that run into another part of the muscle are cut to their neighbours' length",
+          "[anatomy][chmd]") {
+    std::vector<Thickness> lines;
+    for (int j = 0; j < 12; ++j)
+        lines.push_back({Vec3(0, 0, 10 * j), Vec3(0, 10, 10 * j), true});
+    const std::vector<Thickness> even = lines;
+    for (const int wrong : {0, 1, 6, 11})
+        lines[std::size_t(wrong)].bottom.y() = 80;
+    even_out(lines);
+    for (std::size_t j = 0; j < lines.size(); ++j) {
+        CHECK((lines[j].top - even[j].top).norm() < 1e-12);
+        CHECK((lines[j].bottom - even[j].bottom).norm() < 1e-12);
+    }
+    // Muscles that taper are left alone but for the smoothing; one line of its own too.
+    for (std::size_t j = 0; j < lines.size(); ++j)
+        lines[j].bottom.y() = 10.0 + double(j);
+    even_out(lines);
+    for (std::size_t j = 0; j < lines.size(); ++j)
+        CHECK(lines[j].bottom.y() == Approx(10.0 + double(j)));
+    std::vector<Thickness> one{{Vec3::Zero(), Vec3::UnitX(), true}};
+    even_out(one);
+    CHECK(one[0].bottom == Vec3::UnitX());
+}
+
 TEST_CASE("as many strands as wanted, in layers inside the muscle", "[anatomy][chmd]") {
     test::ChmdCase box = test::box_case(), ellipsoid = test::ellipsoid_case(), bars = test::two_bars_case();
     for (test::ChmdCase* made : {&box, &ellipsoid, &bars})
@@ -127,16 +190,25 @@ TEST_CASE("as many strands as wanted, in layers inside the muscle", "[anatomy][c
 TEST_CASE("strands of a box without sides are exactly inside, at their depth", "[anatomy][chmd]") {
     test::ChmdCase box = test::box_case();
     const Net net(box.problem(400, 15));
-    int between = 0;
-    for (const Strand& strand : make_strands(net.problem, net.rows)) {
+    int between = 0, shifted = 0;
+    const std::vector<Strand> strands = make_strands(net.problem, net.rows);
+    for (const Strand& strand : strands) {
         const bool side = strand.path[3].x() < 9.9 || strand.path[3].x() > 50.1;
         for (const Vec3& p : strand.path)
             if (!side) {
                 CHECK(p.y() == Approx(20.0 * strand.depth).margin(1e-6));
                 CHECK((p.z() >= 4.9 && p.z() <= 95.1));
             }
-        between += strand.depth > 0.0 && strand.depth < 1.0 && !side ? 1 : 0;
+        if (strand.depth == 0.0 || strand.depth == 1.0 || side)
+            continue;
+        ++between;
+        bool in_column = false; // of a strand on the surface
+        for (const Strand& other : strands)
+            in_column =
+                in_column || (other.depth == 0.0 && std::abs(other.path[3].x() - strand.path[3].x()) < 1e-6);
+        shifted += in_column ? 0 : 1;
     }
+    CHECK(shifted > between * 3 / 4); // no rake
     CHECK(between > 150);
 }
 
@@ -205,4 +277,36 @@ TEST_CASE("strands that would turn back sharply are shortened before they are le
         shortened += from.trim[i] > 0.0 ? 1 : 0;
     }
     CHECK(shortened > 50);
+}
+
+TEST_CASE("a fibre whose straight way leaves the muscle follows its surface at equal arcs",
+          "[anatomy][chmd]") {
+    // Half a ring between radii 30 and 50; the strand ends 60 degrees before the ends do.
+    TriMesh mesh = box_mesh(Vec3(0, 0, 0), Vec3(180, 20, 20), {60, 4, 4});
+    const auto bent = [](double degrees, double radius, double y) {
+        const double angle = degrees * std::numbers::pi / 180.0;
+        return Vec3(-radius * std::cos(angle), y, radius * std::sin(angle));
+    };
+    for (Vec3& p : mesh.positions)
+        p = bent(p.x(), 30.0 + p.z(), p.y());
+    const SolidQuery solid(mesh);
+    REQUIRE(solid.inside(bent(90, 40, 10)));
+    Strand strand;
+    for (int k = 0; k <= 10; ++k)
+        strand.path.push_back(bent(60 + 6 * k, 31, 10));
+    for (const int segments : {12, 40}) {
+        const Points fibre =
+            finish_fibre(mesh, solid, strand, 0, 0, bent(0, 31, 10), bent(180, 31, 10), segments);
+        REQUIRE(fibre.size() == std::size_t(segments) + 1);
+        CHECK(fibre.front() == bent(0, 31, 10));
+        CHECK(fibre.back() == bent(180, 31, 10));
+        double longest = 0, shortest = 1e300;
+        for (std::size_t k = 1; k < fibre.size(); ++k) {
+            longest = std::max(longest, (fibre[k] - fibre[k - 1]).norm());
+            shortest = std::min(shortest, (fibre[k] - fibre[k - 1]).norm());
+            CHECK(solid.signed_distance(fibre[k]) < 1e-3);
+        }
+        CHECK(longest < 1.05 * shortest);
+        CHECK(polyline_length(fibre) == Approx(std::numbers::pi * 30.5).epsilon(0.03));
+    }
 }

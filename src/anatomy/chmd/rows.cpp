@@ -161,11 +161,14 @@ Vec3 Rows::place(int row, int span, double share) const {
 
 Thickness Rows::thickness(int row, int span, double share) const {
     const Vec3 p = place(row, span, share), outward = normal(row, span, share);
-    Thickness found = probe(p, outward, reach_);
-    if (found.length() > thin_)
+    const double graze = 3.0 * thin_;
+    const Thickness found = probe(p, outward, reach_);
+    if (found.length() > graze)
         return found;
     const SurfacePoint near = solid_.bvh().closest(p);
-    found = probe(near.point - 3.0 * thin_ * surface_normal(near.triangle), outward, reach_);
+    const Thickness inner = probe(near.point - graze * surface_normal(near.triangle), outward, reach_);
+    if (inner.length() > found.length())
+        return inner;
     return found.hit ? found : Thickness{near.point, near.point, true};
 }
 

@@ -27,30 +27,6 @@ struct Column {
     }
 };
 
-/// Lines that met another part of the muscle than their neighbours do (at a fold, past the end of the muscle) get the
-/// median length of five; then tops and bottoms are evened out along the column.
-void even_out(std::vector<Thickness>& lines) {
-    const std::size_t m = lines.size(), window = std::min<std::size_t>(5, m);
-    std::vector<double> lengths, near;
-    for (const Thickness& line : lines)
-        lengths.push_back(line.length());
-    for (std::size_t j = 0; j < m; ++j) {
-        const std::size_t first = std::min(j < 2 ? 0 : j - 2, m - window);
-        near.assign(lengths.begin() + static_cast<std::ptrdiff_t>(first),
-                    lengths.begin() + static_cast<std::ptrdiff_t>(first + window));
-        std::nth_element(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(window / 2), near.end());
-        if (const double median = near[window / 2]; lengths[j] > 1.5 * median)
-            lines[j].bottom = lines[j].top + median / lengths[j] * (lines[j].bottom - lines[j].top);
-    }
-    for (int pass = 0; pass < 2; ++pass) {
-        const std::vector<Thickness> old = lines;
-        for (std::size_t j = 1; j + 1 < m; ++j) {
-            lines[j].top = (old[j - 1].top + 4.0 * old[j].top + old[j + 1].top) / 6.0;
-            lines[j].bottom = (old[j - 1].bottom + 4.0 * old[j].bottom + old[j + 1].bottom) / 6.0;
-        }
-    }
-}
-
 std::vector<Column> make_columns(const FibreProblem& problem, const Rows& rows, int s) {
     std::vector<Column> columns(z(rows.spans() * s + 1));
     parallel_for(problem.threads, columns.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -170,6 +146,28 @@ Strand side_strand(const Net& net, bool left, int layer) {
 }
 
 } // namespace
+
+void even_out(std::vector<Thickness>& lines) {
+    const std::size_t m = lines.size(), window = std::min<std::size_t>(5, m);
+    std::vector<double> lengths, near;
+    for (const Thickness& line : lines)
+        lengths.push_back(line.length());
+    for (std::size_t j = 0; j < m; ++j) {
+        const std::size_t first = std::min(j < 2 ? 0 : j - 2, m - window);
+        near.assign(lengths.begin() + static_cast<std::ptrdiff_t>(first),
+                    lengths.begin() + static_cast<std::ptrdiff_t>(first + window));
+        std::nth_element(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(window / 2), near.end());
+        if (const double median = near[window / 2]; lengths[j] > 1.5 * median)
+            lines[j].bottom = lines[j].top + median / lengths[j] * (lines[j].bottom - lines[j].top);
+    }
+    for (int pass = 0; pass < 2; ++pass) {
+        const std::vector<Thickness> old = lines;
+        for (std::size_t j = 1; j + 1 < m; ++j) {
+            lines[j].top = (old[j - 1].top + 4.0 * old[j].top + old[j + 1].top) / 6.0;
+            lines[j].bottom = (old[j - 1].bottom + 4.0 * old[j].bottom + old[j + 1].bottom) / 6.0;
+        }
+    }
+}
 
 std::vector<Strand> make_strands(const FibreProblem& problem, const Rows& rows) {
     const Net net = choose_net(problem, rows);

@@ -13,6 +13,11 @@ struct Strand {
     Points path;            ///< one point per row
 };
 
+/// Of the lines of one column, row by row: those longer than 1.5 times the median of the five about them met another part of
+/// the muscle than their neighbours do (at a fold, past the end of the muscle) and are cut to it; then tops and bottoms are
+/// evened out along the column by two passes of (1, 4, 1) / 6. At least 1 line.
+void even_out(std::vector<Thickness>& lines);
+
 /// Exactly `count` strands, well spread: the net is refined across (s) and in depth (v), about as wide as it is deep,
 /// until its (n - 1) s + 1 columns of up to v + 1 layers and the 2 (v - 1) side strands are enough, then evenly thinned
 /// out along a path that winds through the columns. Layers at t = 1/v, 2/v, ... < 1 lie at the share t max(1, 0.8 Tmax /
