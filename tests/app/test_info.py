@@ -48,7 +48,7 @@ class InfoTest(ProgramTest):
 
     def test_scenes_are_listed_with_a_line_each(self):
         lines = self.check_done("scenes").splitlines()
-        self.assertEqual([line.split()[0] for line in lines], ["hip", "squish-box", "cylinder"])
+        self.assertEqual([line.split()[0] for line in lines], ["hip", "squish-box", "cylinder", "two-heads"])
         self.assertTrue(all(len(line.split()) > 5 for line in lines))
 
 

@@ -27,4 +27,10 @@ FibreModel decompose_kukacka(const FibreProblem& problem);
 /// Blemker 2013). Needs neither template nor surface fibres. Errors as above.
 FibreModel decompose_streamlines(const FibreProblem& problem);
 
+/// CHMD (Kohout & Cholt 2017): from at least two superficial fibres, a layer splined across them, copies of it through
+/// the muscle's thickness, and each fibre led to a place of its own on the attachments. Several heads are told apart by
+/// the gaps between them. The surface must be closed. Needs no template. Errors as above, and for surface fibres that
+/// are too few, too short, or not this muscle's.
+FibreModel decompose_chmd(const FibreProblem& problem);
+
 } // namespace fascicle

@@ -4,6 +4,7 @@
 #include "fascicle/geometry/tri_mesh.hpp"
 
 #include <limits>
+#include <vector>
 
 namespace fascicle {
 
@@ -14,6 +15,14 @@ struct SurfacePoint {
     double squared_distance = std::numeric_limits<double>::infinity();
     Vec3 point = Vec3::Zero();
     Vec3 weights = Vec3::Zero();
+};
+
+/// One crossing of a line and a triangle: p = origin + position * direction. entering: the line runs against the outward
+/// normal there.
+struct LineHit {
+    double position = 0;
+    int triangle = -1;
+    bool entering = false;
 };
 
 /// Keeps its own copy of the corners. Queries are const, allocate nothing and may run on several threads.
@@ -39,6 +48,12 @@ public:
     /// that distance the search ends with it, nearest or not.
     double closest_squared_distance(const Vec3& p, double max_distance, int& hint,
                                     double good_enough = 0.0) const;
+
+    /// Appends every crossing of the whole line origin + t direction, t from -infinity to infinity, in no particular
+    /// order. A crossing on the common edge of two triangles is found in at least one of them, so that no closed surface
+    /// lets a line through (edge functions as in Woop, Benthin, Wald 2013, "Watertight ray/triangle intersection");
+    /// it may be found in both. A triangle that the line lies in is passed over. direction: any length, not zero.
+    void line_hits(const Vec3& origin, const Vec3& direction, std::vector<LineHit>& hits) const;
 
     int triangle_count() const { return static_cast<int>(slot_of_.size()); }
     std::size_t bytes() const;

@@ -8,5 +8,6 @@ namespace fascicle::embedded {
 Scene make_squish_box(int threads);
 Scene make_cylinder(int threads);
 Scene make_hip(int threads);
+Scene make_two_heads(int threads);
 
 } // namespace fascicle::embedded

@@ -21,7 +21,10 @@ const std::vector<Row>& rows() {
         {{"squish-box", "box of 5,292 triangles squeezed between two plates to 10 % of the gap and released"},
          embedded::make_squish_box},
         {{"cylinder", "strap over a cylinder on a hinge: length and moment arm known in closed form"},
-         embedded::make_cylinder}};
+         embedded::make_cylinder},
+        {{"two-heads",
+          "muscle with two origins that grow together, with superficial fibres, stretched by a lever"},
+         embedded::make_two_heads}};
     return table;
 }
 
