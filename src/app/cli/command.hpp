@@ -28,5 +28,6 @@ std::function<int()> add_simulate(CLI::App& app);
 std::function<int()> add_render(CLI::App& app);
 std::function<int()> add_bench(CLI::App& app);
 std::function<int()> add_parameters(CLI::App& app);
+std::function<int()> add_templates(CLI::App& app);
 
 } // namespace fascicle::app
