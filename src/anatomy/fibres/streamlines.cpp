@@ -78,26 +78,33 @@ Points seeds_on(const TriMesh& surface, const std::vector<Tri>& attached, std::s
     return spread(places, count);
 }
 
-/// From a seed up the gradient in steps of half a cell by the midpoint rule, to the insertion, or where the field turns
-/// back or ends.
+/// From a seed up the gradient in steps of half a cell by the midpoint rule, to the insertion, or where the field ends.
+/// In a narrow corner of the surface the grid may have the field turn back: the line is then taken deeper in.
 Points trace(const VolumeField& field, const MuscleInside& inside, Vec3 p) {
     Points line{p};
     const double step = 0.5 * field.step();
     double last = field.value(p);
-    for (int k = 0; k < 20000 && !field.at_insertion(p); ++k) {
+    int stuck = 0;
+    for (int k = 0; k < 20000 && stuck <= 12 && !field.at_insertion(p); ++k) {
         const Vec3 here = field.gradient(p);
-        if (!(here.norm() > 0))
-            break;
-        const Vec3 middle = field.gradient(p + 0.5 * step * here.normalized());
-        Vec3 next = p + step * (middle.norm() > 0 ? middle : here).normalized();
+        const Vec3 middle =
+            here.norm() > 0 ? field.gradient(p + 0.5 * step * here.normalized()) : Vec3(Vec3::Zero());
+        Vec3 next = p;
+        if (here.norm() > 0)
+            next += step * (middle.norm() > 0 ? middle : here).normalized();
         if (!inside.inside(next)) // the gradient runs along the surface up to the grid's steps
-            inside.move(next, 0.25 * field.step());
+            inside.move(next, 0.5 * step);
         const double value = field.value(next);
-        if (!(value > last))
-            break;
-        line.push_back(next);
-        p = next;
-        last = value;
+        if (value > last) {
+            line.push_back(next);
+            p = next;
+            last = value;
+            continue;
+        }
+        ++stuck;
+        inside.move(p, stuck * step);
+        line.push_back(p);
+        last = field.value(p);
     }
     return line;
 }
