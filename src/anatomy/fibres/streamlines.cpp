@@ -14,7 +14,7 @@ namespace fascicle {
 
 namespace {
 
-constexpr int wanted_cells = 40000;
+constexpr int wanted_cells = 24000;
 constexpr int smoothing_passes = 2;
 
 /// Points spread evenly over those given: farthest points first, then moved to the middles of their shares (Lloyd).
@@ -50,48 +50,61 @@ Points spread(const Points& among, std::size_t count) {
     return chosen;
 }
 
-/// Places for seeds: the cells of the middle level, cut finer until there are several for each fibre.
-Points seeds_of(const VolumeField& field, std::size_t count) {
-    const Points cells = field.cells_at(0.5);
-    if (cells.empty())
-        return cells;
-    int fine = 1;
-    while (cells.size() * std::size_t(fine * fine * fine) < 6 * count && fine < 16)
-        ++fine;
+/// Even places on the origins, the same area for each: where as much of the flow enters. Every triangle is cut into small
+/// equal ones; edges and single vertices count where there is no area at all.
+Points seeds_on(const TriMesh& surface, const std::vector<Tri>& attached, std::size_t count) {
+    const auto corner = [&](const Tri& t, std::size_t k) {
+        return surface.positions[static_cast<std::size_t>(t[k])];
+    };
+    double area = 0;
+    for (const Tri& t : attached)
+        area += 0.5 * (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0)).norm();
+    const double wanted = area / (10.0 * double(count)); // of a place
     Points places;
-    for (const Vec3& p : cells)
-        for (int k = 0; k < fine * fine * fine; ++k)
-            places.push_back(
-                p + field.step() *
-                        ((Vec3(k % fine, k / fine % fine, k / (fine * fine)) + Vec3::Constant(0.5)) / fine -
-                         Vec3::Constant(0.5)));
+    for (const Tri& t : attached) {
+        const Vec3 a = corner(t, 0), u = corner(t, 1) - a, v = corner(t, 2) - a;
+        const double here = 0.5 * u.cross(v).norm();
+        if (area > 0 && !(here > 0))
+            continue;
+        const int pieces =
+            area > 0 ? std::clamp(static_cast<int>(std::lround(std::sqrt(here / wanted))), 1, 64) : 4;
+        for (int i = 0; i < pieces; ++i)
+            for (int j = 0; i + j < pieces; ++j) {
+                places.push_back(a + (i + 1.0 / 3) / pieces * u + (j + 1.0 / 3) / pieces * v);
+                if (i + j + 1 < pieces)
+                    places.push_back(a + (i + 2.0 / 3) / pieces * u + (j + 2.0 / 3) / pieces * v);
+            }
+    }
     return spread(places, count);
 }
 
-/// From a seed up (sign 1) or down (-1) the gradient in steps of half a cell by the midpoint rule, to where the field
-/// reaches its end value nearly, turns back or ends.
-Points trace(const VolumeField& field, const MuscleInside& inside, Vec3 p, double sign) {
-    Points line;
+/// From a seed up the gradient in steps of half a cell by the midpoint rule, to the insertion, or where the field ends.
+/// In a narrow corner of the surface the grid may have the field turn back: the line is then taken deeper in.
+Points trace(const VolumeField& field, const MuscleInside& inside, Vec3 p) {
+    Points line{p};
     const double step = 0.5 * field.step();
     double last = field.value(p);
-    Vec3 direction = Vec3::Zero();
-    for (int k = 0; k < 20000; ++k) {
-        const Vec3 here = sign * field.gradient(p);
-        if (!(here.norm() > 0))
-            break;
-        const Vec3 middle = sign * field.gradient(p + 0.5 * step * here.normalized());
-        direction = middle.norm() > 0 ? middle.normalized() : here.normalized();
-        Vec3 next = p + step * direction;
+    int stuck = 0;
+    for (int k = 0; k < 20000 && stuck <= 12 && !field.at_insertion(p); ++k) {
+        const Vec3 here = field.gradient(p);
+        const Vec3 middle =
+            here.norm() > 0 ? field.gradient(p + 0.5 * step * here.normalized()) : Vec3(Vec3::Zero());
+        Vec3 next = p;
+        if (here.norm() > 0)
+            next += step * (middle.norm() > 0 ? middle : here).normalized();
         if (!inside.inside(next)) // the gradient runs along the surface up to the grid's steps
-            inside.move(next, 0.25 * field.step());
+            inside.move(next, 0.5 * step);
         const double value = field.value(next);
-        if (!(sign * (value - last) > 1e-12))
-            break;
-        line.push_back(next);
-        p = next;
-        last = value;
-        if (sign > 0 ? value > 0.998 : value < 0.002)
-            break;
+        if (value > last) {
+            line.push_back(next);
+            p = next;
+            last = value;
+            continue;
+        }
+        ++stuck;
+        inside.move(p, stuck * step);
+        line.push_back(p);
+        last = field.value(p);
     }
     return line;
 }
@@ -117,41 +130,34 @@ FibreModel decompose_streamlines(const FibreProblem& given) {
     FibreModel model;
     Stopwatch watch;
     const FibreProblem problem = checked_problem(given, model.notes);
+    FibreField surface_field = solve_fibre_field(problem); // for colours; checks that there is a way, too
+    model.notes.insert(model.notes.end(), surface_field.notes.begin(), surface_field.notes.end());
+    model.field = surface_field.at_original(problem.surface->positions.size());
+    model.seconds = {{"cut", surface_field.cut_seconds}, {"field", surface_field.field_seconds}};
+    watch.lap();
     const MuscleInside inside(*problem.surface, problem.threads);
-    const TriangleBvh origins(problem.surface->positions,
-                              attached_triangles(problem, AttachmentKind::origin));
     const TriangleBvh insertions(problem.surface->positions,
                                  attached_triangles(problem, AttachmentKind::insertion));
     model.seconds.emplace_back("trees", watch.lap());
     const VolumeField field(problem, wanted_cells);
-    model.seconds.emplace_back("field", watch.lap());
+    model.seconds.emplace_back("volume field", watch.lap());
 
     FibreSet& fibres = model.rest;
     fibres.count = problem.count;
     fibres.segments = problem.segments;
     const auto per_fibre = fibres.points_per_fibre();
     fibres.points.resize(static_cast<std::size_t>(fibres.count) * per_fibre);
-    const Points seeds = seeds_of(field, static_cast<std::size_t>(fibres.count));
-    if (seeds.empty())
-        throw_error(fibre_error_place(problem),
-                    "no room between origin and insertion for a fibre to start in",
-                    "attachments at least two cells of " + std::to_string(field.step() * problem.unit_mm) +
-                        " mm apart");
+    const Points seeds = seeds_on(*problem.surface, attached_triangles(problem, AttachmentKind::origin),
+                                  static_cast<std::size_t>(fibres.count));
     std::vector<char> far(seeds.size(), 0);
     parallel_for(problem.threads, seeds.size(), 2, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f) {
-            Vec3 seed = seeds[f];
-            inside.move(seed, 0.25 * field.step());
-            Points line = trace(field, inside, seed, -1.0);
-            std::reverse(line.begin(), line.end());
-            line.push_back(seed);
-            const Points up = trace(field, inside, seed, 1.0);
-            line.insert(line.end(), up.begin(), up.end());
-            const Vec3 first = origins.closest(line.front()).point,
-                       last = insertions.closest(line.back()).point;
-            const double gap = std::max((first - line.front()).norm(), (last - line.back()).norm());
-            far[f] = gap > 4.0 * field.step() ? 1 : 0;
-            line.insert(line.begin(), first);
+            Vec3 start = seeds[f];
+            inside.move(start, 0.5 * field.step());
+            Points line = trace(field, inside, start);
+            const Vec3 last = insertions.closest(line.back()).point;
+            far[f] = (last - line.back()).norm() > 4.0 * field.step() ? 1 : 0;
+            line.insert(line.begin(), seeds[f]);
             line.push_back(last);
             resample(line, problem.segments, fibres.points.data() + f * per_fibre);
         }
@@ -160,17 +166,9 @@ FibreModel decompose_streamlines(const FibreProblem& given) {
     smooth_fibres(fibres, smoothing_passes);
     if (const auto count = std::count(far.begin(), far.end(), 1); count > 0)
         model.notes.push_back(std::to_string(count) +
-                              " streamlines end short of an attachment and are led to it straight");
+                              " streamlines end short of the insertion and are led to it straight");
     model.seconds.emplace_back("streamlines", watch.lap());
 
-    const Points& vertices = problem.surface->positions;
-    for (const Vec3& p : vertices) {
-        const double u = field.value(p);
-        model.field.push_back(std::isfinite(u) ? std::clamp(u, 0.0, 1.0) : 0.0);
-    }
-    for (const AttachmentPatch& patch : problem.patches)
-        for (const int v : patch.vertices)
-            model.field[static_cast<std::size_t>(v)] = patch.kind == AttachmentKind::origin ? 0.0 : 1.0;
     finish_fibres(problem, inside, model);
     return model;
 }

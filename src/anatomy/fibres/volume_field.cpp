@@ -14,6 +14,7 @@ namespace fascicle {
 namespace {
 
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t npos = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t most_cells = 8'000'000; ///< of the box, inside or not
 
 } // namespace
@@ -41,8 +42,9 @@ VolumeField::VolumeField(const FibreProblem& checked, int cells) {
     cells_.assign(index(size_[0] - 1, size_[1] - 1, size_[2] - 1) + 1, Cell::outside);
     u_.assign(cells_.size(), no_value);
     fill(checked);
-    fix(checked, AttachmentKind::origin);
-    fix(checked, AttachmentKind::insertion);
+    area_.assign(cells_.size(), 0.0);
+    mark(checked, AttachmentKind::origin);
+    mark(checked, AttachmentKind::insertion);
     if (!keep_connected())
         throw_error(fibre_error_place(checked),
                     "the inside does not reach from origin to insertion in cells of " +
@@ -70,44 +72,47 @@ void VolumeField::fill(const FibreProblem& problem) {
         }
 }
 
-/// The cells that attached triangles pass through, or the inside cells next to those.
-void VolumeField::fix(const FibreProblem& problem, AttachmentKind kind) {
+/// The cell that p lies in when it is inside, else the nearest inside one of the 26 around; npos when there is none.
+std::size_t VolumeField::inside_cell_near(const Vec3& p) const {
+    const Vec3 cell = (p - low_) / step_;
+    const int x = static_cast<int>(cell.x()), y = static_cast<int>(cell.y()), z = static_cast<int>(cell.z());
+    if (cells_[index(x, y, z)] != Cell::outside)
+        return index(x, y, z);
+    std::size_t nearest = npos;
+    double best = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 27; ++k) {
+        const int u = x + k % 3 - 1, v = y + k / 3 % 3 - 1, w = z + k / 9 - 1;
+        if (cells_[index(u, v, w)] == Cell::outside)
+            continue;
+        if (const double d = (centre(u, v, w) - p).squaredNorm(); d < best) {
+            best = d;
+            nearest = index(u, v, w);
+        }
+    }
+    return nearest;
+}
+
+/// Shares out the areas of the attached triangles to cells; edges and single vertices count as a little area.
+void VolumeField::mark(const FibreProblem& problem, AttachmentKind kind) {
     const Points& points = problem.surface->positions;
     const Cell mark = kind == AttachmentKind::origin ? Cell::origin : Cell::insertion;
-    std::vector<std::size_t> marked;
     for (const Tri& t : attached_triangles(problem, kind)) {
         const Vec3 &a = points[static_cast<std::size_t>(t[0])], &b = points[static_cast<std::size_t>(t[1])],
                    &c = points[static_cast<std::size_t>(t[2])];
         const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
         const int pieces = std::clamp(static_cast<int>(std::ceil(2.0 * longest / step_)), 1, 200);
-        for (int i = 0; i <= pieces; ++i)
-            for (int j = 0; i + j <= pieces; ++j) {
-                const Vec3 p = a + double(i) / pieces * (b - a) + double(j) / pieces * (c - a);
-                const Vec3 cell = (p - low_) / step_;
-                const int x = static_cast<int>(cell.x()), y = static_cast<int>(cell.y()),
-                          z = static_cast<int>(cell.z());
-                if (cells_[index(x, y, z)] != Cell::outside) {
-                    marked.push_back(index(x, y, z));
-                    continue;
-                }
-                std::size_t nearest = 0;
-                double best = std::numeric_limits<double>::infinity();
-                for (int k = 0; k < 27; ++k) {
-                    const int u = x + k % 3 - 1, v = y + k / 3 % 3 - 1, w = z + k / 9 - 1;
-                    if (cells_[index(u, v, w)] == Cell::outside)
-                        continue;
-                    if (const double d = (centre(u, v, w) - p).squaredNorm(); d < best) {
-                        best = d;
-                        nearest = index(u, v, w);
-                    }
-                }
-                if (std::isfinite(best))
-                    marked.push_back(nearest);
+        const double area =
+            (0.5 * (b - a).cross(c - a).norm() + 1e-3 * step_ * step_) / (0.5 * pieces * pieces);
+        for (int i = 0; i < pieces; ++i)
+            for (int j = 0; i + j < pieces; ++j) {
+                const Vec3 p = a + (i + 1.0 / 3) / pieces * (b - a) + (j + 1.0 / 3) / pieces * (c - a);
+                const std::size_t cell = inside_cell_near(p);
+                if (cell == npos || (cells_[cell] != Cell::free && cells_[cell] != mark))
+                    continue; // between the two kinds a cell stays with the first
+                cells_[cell] = mark;
+                area_[cell] += area;
             }
     }
-    for (const std::size_t i : marked)
-        if (cells_[i] == Cell::free) // between the two kinds a cell stays with the first
-            cells_[i] = mark;
 }
 
 /// Drops parts that do not hold both kinds. Whether one does.
@@ -141,62 +146,53 @@ bool VolumeField::keep_connected() {
     return any;
 }
 
-/// Conjugate gradients, preconditioned by the diagonal; to 1e-6 of the first residual.
+/// Conjugate gradients, preconditioned by the diagonal, to 1e-5 of the first residual. The matrix leaves a constant
+/// open; what enters and leaves is balanced in each part, so that there is a solution.
 void VolumeField::solve() {
     std::vector<std::size_t> cell_of;
     std::vector<int> unknown(cells_.size(), -1);
-    for (std::size_t i = 0; i < cells_.size(); ++i) {
-        if (cells_[i] == Cell::free) {
+    std::array<double, 2> total{0, 0};
+    for (std::size_t i = 0; i < cells_.size(); ++i)
+        if (cells_[i] != Cell::outside) {
             unknown[i] = static_cast<int>(cell_of.size());
             cell_of.push_back(i);
-        } else if (cells_[i] != Cell::outside)
-            u_[i] = cells_[i] == Cell::insertion ? 1.0 : 0.0;
-    }
+            total[cells_[i] == Cell::insertion ? 1 : 0] += area_[i];
+        }
     const std::size_t n = cell_of.size();
-    // Rows: six neighbours (or itself, which adds nothing), the diagonal and what fixed neighbours give.
     std::vector<std::array<int, 6>> rows(n);
-    std::vector<double> diagonal(n, 0.0), x(n, 0.5), r(n, 0.0), z(n), d(n), q(n);
-    const auto apply = [&](const std::vector<double>& in, std::vector<double>& out) {
-        for (std::size_t i = 0; i < n; ++i) {
-            double sum = diagonal[i] * in[i];
-            for (const int j : rows[i])
-                if (j >= 0)
-                    sum -= in[static_cast<std::size_t>(j)];
-            out[i] = sum;
-        }
-    };
-    std::vector<double> right(n, 0.0);
-    for (std::size_t i = 0; i < n; ++i)
+    std::vector<double> diagonal(n, 0.0), x(n, 0.0), r(n, 0.0), z(n), d(n), q(n);
+    for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t k = 0; k < 6; ++k) {
-            const auto next =
-                static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell_of[i]) + neighbours_[k]);
-            rows[i][k] = unknown[next];
-            if (cells_[next] == Cell::outside)
-                continue;
-            diagonal[i] += 1.0;
-            if (unknown[next] < 0)
-                right[i] += u_[next];
+            rows[i][k] =
+                unknown[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell_of[i]) + neighbours_[k])];
+            diagonal[i] += rows[i][k] >= 0 ? 1.0 : 0.0;
         }
-    apply(x, q);
+        const bool leaves = cells_[cell_of[i]] == Cell::insertion;
+        r[i] = (leaves ? 1.0 : -1.0) * area_[cell_of[i]] / total[leaves ? 1 : 0];
+    }
     double first = 0, rz = 0;
     for (std::size_t i = 0; i < n; ++i) {
-        r[i] = right[i] - q[i];
-        z[i] = r[i] / diagonal[i];
+        z[i] = diagonal[i] > 0 ? r[i] / diagonal[i] : 0.0;
         rz += r[i] * z[i];
     }
     first = rz;
     d = z;
-    for (int iteration = 0; iteration < 2000 && rz > 1e-12 * first && rz > 0; ++iteration) {
-        apply(d, q);
+    for (int iteration = 0; iteration < 3000 && rz > 1e-10 * first && rz > 0; ++iteration) {
         double dq = 0;
-        for (std::size_t i = 0; i < n; ++i)
-            dq += d[i] * q[i];
+        for (std::size_t i = 0; i < n; ++i) {
+            double sum = diagonal[i] * d[i];
+            for (const int j : rows[i])
+                if (j >= 0)
+                    sum -= d[static_cast<std::size_t>(j)];
+            q[i] = sum;
+            dq += d[i] * sum;
+        }
         const double alpha = rz / dq;
         double next = 0;
         for (std::size_t i = 0; i < n; ++i) {
             x[i] += alpha * d[i];
             r[i] -= alpha * q[i];
-            z[i] = r[i] / diagonal[i];
+            z[i] = diagonal[i] > 0 ? r[i] / diagonal[i] : 0.0;
             next += r[i] * z[i];
         }
         const double beta = next / rz;
@@ -260,16 +256,12 @@ Vec3 VolumeField::gradient(const Vec3& p) const {
     return slope.allFinite() ? slope : Vec3::Zero();
 }
 
-Points VolumeField::cells_at(double level) const {
-    Points found;
-    for (int z = 0; z < size_[2]; ++z)
-        for (int y = 0; y < size_[1]; ++y)
-            for (int x = 0; x < size_[0]; ++x)
-                if (const std::size_t i = index(x, y, z); cells_[i] == Cell::free)
-                    if (const Vec3 p = centre(x, y, z);
-                        std::abs(u_[i] - level) <= 0.5 * step_ * gradient(p).norm())
-                        found.push_back(p);
-    return found;
+bool VolumeField::at_insertion(const Vec3& p) const {
+    const Vec3 q = (p - low_) / step_;
+    if (!((q.array() >= 0).all()) || q.x() >= size_[0] || q.y() >= size_[1] || q.z() >= size_[2])
+        return false;
+    return cells_[index(static_cast<int>(q.x()), static_cast<int>(q.y()), static_cast<int>(q.z()))] ==
+           Cell::insertion;
 }
 
 } // namespace fascicle

@@ -5,9 +5,10 @@
 
 namespace fascicle {
 
-/// Cells inside a muscle with u = 0 in those at the origins, 1 at the insertions, the sum over inside neighbours
-/// (u_i - u_j) = 0 elsewhere: the 7-point Laplacian with no flux through the muscle's surface. Two layers of cells around
-/// have the mean of their neighbours, so that u and its gradient can be read up to the surface.
+/// Potential of a flow in the cells inside a muscle: as much enters through every area of the origins, and leaves through
+/// every area of the insertions, nothing passes the surface elsewhere (Choi & Blemker 2013). 7-point Laplacian, sum over
+/// inside neighbours (u_j - u_i) = -what enters the cell; u rises towards the insertion, and has mean 0. Two layers of
+/// cells around have the mean of their neighbours, so that u and its gradient can be read up to the surface.
 class VolumeField {
 public:
     /// About `cells` cells. Error naming the muscle when no connected part of them reaches from origin to insertion.
@@ -18,8 +19,8 @@ public:
     double value(const Vec3& p) const;
     /// Of the trilinear u by central differences over one step; zero where there is none.
     Vec3 gradient(const Vec3& p) const;
-    /// Centres of inside cells that the level passes through: |u - level| <= |grad u| step / 2.
-    Points cells_at(double level) const;
+    /// Whether p lies in a cell where the flow leaves.
+    bool at_insertion(const Vec3& p) const;
 
 private:
     std::size_t index(int x, int y, int z) const {
@@ -30,7 +31,8 @@ private:
     }
     Vec3 centre(int x, int y, int z) const { return low_ + step_ * (Vec3(x, y, z) + Vec3::Constant(0.5)); }
     void fill(const FibreProblem& problem);
-    void fix(const FibreProblem& problem, AttachmentKind kind);
+    void mark(const FibreProblem& problem, AttachmentKind kind);
+    std::size_t inside_cell_near(const Vec3& p) const;
     bool keep_connected();
     void solve();
     void extend();
@@ -42,6 +44,7 @@ private:
     std::array<std::ptrdiff_t, 6> neighbours_{};
     std::vector<Cell> cells_;
     std::vector<double> u_;
+    std::vector<double> area_; ///< attached area in a cell, above 0 where it is marked
 };
 
 } // namespace fascicle

@@ -29,5 +29,6 @@ std::function<int()> add_fibres(CLI::App& app);
 std::function<int()> add_render(CLI::App& app);
 std::function<int()> add_bench(CLI::App& app);
 std::function<int()> add_parameters(CLI::App& app);
+std::function<int()> add_templates(CLI::App& app);
 
 } // namespace fascicle::app

@@ -32,6 +32,10 @@ const std::vector<Command>& commands() {
          "  fascicle parameters\n"
          "  fascicle parameters --markdown > docs/parameters.md",
          add_parameters},
+        {"templates", "List the fibre templates, check a file of your own, draw them",
+         "  fascicle templates\n"
+         "  fascicle templates my_template.json --thumbnails out",
+         add_templates},
     };
     return rows;
 }

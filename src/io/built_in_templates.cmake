@@ -1,0 +1,11 @@
+# Writes OUTPUT: a C++ source with the template files as text. A change of one of them runs CMake again.
+set(FASCICLE_TEMPLATE_ROWS "")
+foreach(name parallel pennate curved fanned)
+  set(file ${CMAKE_CURRENT_LIST_DIR}/../../resources/fibre_templates/${name}.json)
+  file(READ ${file} text)
+  string(APPEND FASCICLE_TEMPLATE_ROWS "        {\"${name}.json\", R\"json(${text})json\"},\n")
+  if(NOT CMAKE_SCRIPT_MODE_FILE)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+  endif()
+endforeach()
+configure_file(${CMAKE_CURRENT_LIST_DIR}/built_in_templates.cpp.in ${FASCICLE_TEMPLATE_SOURCE} @ONLY)
