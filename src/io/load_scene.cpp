@@ -7,6 +7,7 @@
 #include "fascicle/geometry/bounding_box.hpp"
 #include "fascicle/geometry/sphere_fit.hpp"
 #include "fascicle/io/attachment_file.hpp"
+#include "fascicle/io/fibre_template_file.hpp"
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/mesh_file.hpp"
 #include "fascicle/io/motion_file.hpp"
@@ -228,6 +229,13 @@ LoadedScene load_source(const SceneRequest& request, const JobControl& control) 
 LoadedScene load_scene(const SceneRequest& request, const JobControl& control) {
     require_one_source(request);
     LoadedScene loaded = load_source(request, control);
+    // Part of the program: nobody owns them, and nothing is read.
+    loaded.scene.fibre_templates = std::shared_ptr<const std::vector<FibreTemplate>>(
+        std::shared_ptr<void>(), &built_in_fibre_templates());
+    for (const auto& [name, path] : request.fibre_templates) {
+        Muscle& muscle = muscle_named(loaded.scene, "--fibre-template", name);
+        load_fibre_template(muscle, path);
+    }
     if (!request.motion.empty())
         load_motion(loaded.scene, request.motion, loaded.notes);
     return loaded;
@@ -281,6 +289,14 @@ void load_motion(Scene& scene, const fs::path& path, std::vector<std::string>& n
             moving += (moving.empty() ? "" : ", ") + scene.bones[b].name;
     notes.push_back(path.filename().string() + ": moves " + (moving.empty() ? "no bone" : moving) + ", " +
                     std::to_string(scene.timeline.last_frame) + " frames");
+}
+
+void load_fibre_template(Muscle& muscle, const fs::path& path) {
+    const std::string bytes = read_file(path);
+    StateHash hash;
+    hash.add_bytes(bytes.data(), bytes.size());
+    muscle.fibre_template = std::make_shared<const FibreTemplate>(parse_fibre_template(bytes, path.string()));
+    muscle.fibre_template_source = {path.string(), hash.hex()};
 }
 
 LengthUnit guess_unit(const Scene& scene) {

@@ -156,6 +156,11 @@ Muscle ProjectReader::muscle(const JsonFields& entry, const Scene& scene) {
         load_surface_fibres(out, resolved(file), *notes_);
         compare(file, out.surface_fibres_source);
     }
+    if (entry.has("fibre_template")) {
+        const JsonFields file = entry.object("fibre_template");
+        load_fibre_template(out, resolved(file));
+        compare(file, out.fibre_template_source);
+    }
     out.attachments = attachments(entry, out, scene);
     return out;
 }

@@ -75,6 +75,8 @@ Json muscle_json(const Muscle& muscle, const Scene& scene, const fs::path& folde
              {"vertices", a.vertices}});
     if (!muscle.surface_fibres_source.path.empty())
         json["surface_fibres"] = source_json(muscle.surface_fibres_source, folder);
+    if (!muscle.fibre_template_source.path.empty())
+        json["fibre_template"] = source_json(muscle.fibre_template_source, folder);
     return json;
 }
 
@@ -144,7 +146,7 @@ Json project_json(const Scene& scene, const fs::path& file, const Json& previous
         Json entry = muscle_json(muscle, scene, folder);
         keep_unknown(entry, previous_entry(previous, "muscles", muscle.name),
                      {"path", "hash", "size", "embedded", "outline_files", "outlines", "attachments",
-                      "surface_fibres"});
+                      "surface_fibres", "fibre_template"});
         json["muscles"].push_back(std::move(entry));
     }
     json["timeline"] = timeline_json(scene);

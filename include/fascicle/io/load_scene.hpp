@@ -28,6 +28,7 @@ struct SceneRequest {
     std::filesystem::path motion; ///< --motion FILE.csv: keyed poses instead of a hinge, of any source
     std::vector<std::pair<std::string, std::filesystem::path>> attachments;    ///< muscle name, CSV
     std::vector<std::pair<std::string, std::filesystem::path>> surface_fibres; ///< muscle name, polylines
+    std::vector<std::pair<std::string, std::filesystem::path>> fibre_templates; ///< muscle name, JSON; of any source
     std::optional<LengthUnit> unit;
     int threads = 1; ///< for reading and for making embedded scenes; changes nothing in the result
 };
@@ -62,6 +63,8 @@ Muscle load_muscle(const std::filesystem::path& path, std::vector<std::string>& 
 void load_attachments(Muscle& muscle, const std::filesystem::path& path, LengthUnit unit);
 /// Replaces the muscle's surface fibres; segments that share points are joined to polylines.
 void load_surface_fibres(Muscle& muscle, const std::filesystem::path& path, std::vector<std::string>& notes);
+/// Replaces the muscle's own fibre template.
+void load_fibre_template(Muscle& muscle, const std::filesystem::path& path);
 /// Replaces the scene's timeline by that of a motion file (motion_file.hpp).
 void load_motion(Scene& scene, const std::filesystem::path& path, std::vector<std::string>& notes);
 

@@ -8,6 +8,9 @@ const std::vector<FibreMethod>& fibre_methods() {
          "Isolines of a harmonic field between the attachments, onto which a template's cross-sections are "
          "mapped.",
          true, false, decompose_kukacka},
+        {"chmd", "Superficial fibres",
+         "Layers through the muscle's thickness below fibres digitised on its surface.", false, true,
+         decompose_chmd},
         {"streamlines", "Streamlines",
          "Streamlines of a field that is harmonic in the muscle's volume between the attachments.", false,
          false, decompose_streamlines},
