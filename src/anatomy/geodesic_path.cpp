@@ -1,0 +1,221 @@
+#include "fascicle/anatomy/geodesic_path.hpp"
+
+#include "fascicle/base/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace fascicle {
+namespace {
+
+constexpr int most_sweeps = 1500; // a level
+constexpr int most_lifts = 60;
+
+struct Touch {
+    int obstacle = -1;
+    BoneObstacle::Foot foot; ///< in the string's frame
+};
+
+class String {
+public:
+    String(std::span<const PlacedObstacle> obstacles, double clearance)
+        : obstacles_(obstacles), clearance_(clearance) {}
+
+    /// Nearest obstacle of x.
+    Touch nearest(const Vec3& x) const {
+        Touch best;
+        best.foot.distance = std::numeric_limits<double>::infinity();
+        for (std::size_t k = 0; k < obstacles_.size(); ++k) {
+            const Pose& pose = obstacles_[k].pose;
+            const BoneObstacle::Foot foot = obstacles_[k].bone->foot(pose.apply_inverse(x));
+            if (foot.distance < best.foot.distance)
+                best = {static_cast<int>(k),
+                        {foot.distance, pose.apply(foot.point), pose.rotation * foot.outward}};
+        }
+        return best;
+    }
+    /// Moves x out to `distance` of what is nearer. Between two bones it takes a few turns. Returns what it rests on, or -1.
+    int keep_out(Vec3& x, double distance) const {
+        int touching = -1;
+        for (int turn = 0; turn < 4; ++turn) {
+            const Touch touch = nearest(x);
+            if (touch.obstacle < 0 || touch.foot.distance >= distance * (1 - 1e-9))
+                break;
+            x = touch.foot.point + distance * touch.foot.outward;
+            touching = touch.obstacle;
+        }
+        return touching;
+    }
+
+    void start(Points points) {
+        points_ = std::move(points);
+        const std::size_t n = points_.size();
+        touching_.assign(n, -1);
+        wanted_.assign(n, clearance_);
+        free_.assign(n, {Vec3::Zero(), -1.0});
+        for (std::size_t i = 1; i + 1 < n; ++i)
+            touching_[i] = keep_out(points_[i], wanted_[i]);
+    }
+    void halve() {
+        Points finer;
+        for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
+            finer.push_back(points_[i]);
+            finer.push_back((points_[i] + points_[i + 1]) / 2);
+        }
+        finer.push_back(points_.back());
+        start(std::move(finer));
+    }
+    /// Sweeps until nothing moves by more than a 1e-6th of a step.
+    void tighten() {
+        const std::size_t n = points_.size();
+        const double omega = std::min(1.85, 2 / (1 + std::sin(std::numbers::pi / static_cast<double>(n - 1))));
+        for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+            ++sweeps_;
+            double moved = 0, total = 0;
+            for (std::size_t k = 1; k + 1 < n; ++k) {
+                const std::size_t i = sweep % 2 == 0 ? k : n - 1 - k;
+                const Vec3 before = points_[i];
+                const Vec3 middle = (points_[i - 1] + points_[i + 1]) / 2;
+                place(i, before + (sweep % 16 == 15 ? 1.0 : omega) * (middle - before));
+                moved = std::max(moved, (points_[i] - before).norm());
+                total += (points_[i + 1] - points_[i]).norm();
+            }
+            if (moved < 1e-6 * total / static_cast<double>(n))
+                break;
+        }
+    }
+    /// Gives the ends of every segment that comes too near more clearance, but for a step's length at most: what that does not
+    /// cure runs through a bone. True when there was one.
+    bool lift() {
+        bool any = false;
+        const double least = clearance_ / 10;
+        std::vector<double> raised = wanted_;
+        for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
+            const double here = segment_clearance(points_[i], points_[i + 1], obstacles_, least / 2);
+            if (here >= least / 4)
+                continue;
+            any = true;
+            const double most = clearance_ + (points_[i + 1] - points_[i]).norm();
+            for (const std::size_t end : {i, i + 1}) {
+                raised[end] = std::max(raised[end], std::min(most, wanted_[end] + least - here));
+                free_[end].radius = -1;
+            }
+        }
+        wanted_ = std::move(raised);
+        return any;
+    }
+
+    const Points& points() const { return points_; }
+    const std::vector<int>& touching() const { return touching_; }
+    int sweeps() const { return sweeps_; }
+
+private:
+    /// A ball in which nothing is nearer than the clearance.
+    struct FreeBall {
+        Vec3 centre;
+        double radius;
+    };
+    void place(std::size_t i, const Vec3& x) {
+        points_[i] = x;
+        touching_[i] = -1;
+        if ((x - free_[i].centre).norm() < free_[i].radius)
+            return;
+        const Touch touch = nearest(x);
+        if (touch.obstacle < 0 || touch.foot.distance >= wanted_[i]) {
+            free_[i] = {x, touch.foot.distance - wanted_[i]};
+            return;
+        }
+        touching_[i] = keep_out(points_[i], wanted_[i]);
+    }
+
+    std::span<const PlacedObstacle> obstacles_;
+    double clearance_;
+    Points points_;
+    std::vector<int> touching_;
+    std::vector<double> wanted_;
+    std::vector<FreeBall> free_;
+    int sweeps_ = 0;
+};
+
+double length_of(const Points& points) {
+    double length = 0;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+        length += (points[i + 1] - points[i]).norm();
+    return length;
+}
+
+Points straight(const Vec3& p, const Vec3& q, int segments) {
+    Points points;
+    for (int i = 0; i <= segments; ++i)
+        points.push_back(p + (static_cast<double>(i) / segments) * (q - p));
+    return points;
+}
+
+/// A string from before with new ends: what the ends have moved by fades out along it.
+Points adapted(Points guess, const Vec3& p, const Vec3& q) {
+    const Vec3 at_start = p - guess.front(), at_end = q - guess.back();
+    const double last = static_cast<double>(guess.size() - 1);
+    for (std::size_t i = 0; i < guess.size(); ++i) {
+        const double share = static_cast<double>(i) / last;
+        guess[i] += (1 - share) * at_start + share * at_end;
+    }
+    guess.front() = p;
+    guess.back() = q;
+    return guess;
+}
+
+} // namespace
+
+GeodesicPath geodesic_path(const Vec3& p, const Vec3& q, std::span<const PlacedObstacle> obstacles,
+                           const GeodesicOptions& options, const Points& guess) {
+    if (options.segments < 2 || options.segments > 1000 || !(options.clearance > 0) ||
+        !std::isfinite(options.clearance))
+        throw_error("geodesic path", "cannot be made of " + std::to_string(options.segments) + " segments",
+                    "2 to 1000 segments and a clearance above 0", ErrorKind::usage);
+    if (!p.allFinite() || !q.allFinite())
+        throw_error("geodesic path", "an end is not a finite point", "finite coordinates", ErrorKind::usage);
+    String string(obstacles, options.clearance);
+    GeodesicPath path;
+    Vec3 from = p, to = q;
+    const int on_start = string.keep_out(from, options.clearance), on_end = string.keep_out(to, options.clearance);
+    path.start_depth = (from - p).norm();
+    path.end_depth = (to - q).norm();
+
+    if (guess.size() == static_cast<std::size_t>(options.segments) + 1) {
+        string.start(adapted(guess, from, to));
+        string.tighten();
+    } else {
+        int coarse = options.segments;
+        while (coarse % 2 == 0 && coarse > 5)
+            coarse /= 2;
+        string.start(straight(from, to, coarse));
+        string.tighten();
+        for (; coarse < options.segments; coarse *= 2) {
+            string.halve();
+            string.tighten();
+        }
+    }
+    bool low = true;
+    for (int round = 0; round < most_lifts && (low = string.lift()); ++round)
+        string.tighten();
+
+    path.points = string.points();
+    path.touching = string.touching();
+    path.touching.front() = on_start;
+    path.touching.back() = on_end;
+    if (path.start_depth > 0) {
+        path.points.insert(path.points.begin(), p);
+        path.touching.insert(path.touching.begin(), on_start);
+    }
+    if (path.end_depth > 0) {
+        path.points.push_back(q);
+        path.touching.push_back(on_end);
+    }
+    path.clear = !low;
+    path.length = length_of(path.points);
+    path.sweeps = string.sweeps();
+    return path;
+}
+
+} // namespace fascicle
