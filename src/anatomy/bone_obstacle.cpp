@@ -40,7 +40,8 @@ BoneObstacle::Foot BoneObstacle::foot_outside(const Vec3& x) const {
     return make_foot(x, false);
 }
 
-double segment_clearance(const Vec3& a, const Vec3& b, std::span<const PlacedObstacle> obstacles, double precision) {
+double segment_clearance(const Vec3& a, const Vec3& b, std::span<const PlacedObstacle> obstacles,
+                         double precision) {
     double least = std::numeric_limits<double>::infinity();
     const double length = (b - a).norm();
     for (const PlacedObstacle& obstacle : obstacles) {

@@ -37,7 +37,8 @@ Vec3 closest_on_ellipsoid(const Vec3& radii, const Vec3& p) {
         rest -= (foot[i] / a[i]) * (foot[i] / a[i]);
     }
     if (std::abs(t - lowest) < 1e-15 && rest > 0)
-        foot[least] = std::copysign(a[least] * std::sqrt((foot[least] / a[least]) * (foot[least] / a[least]) + rest), u[least]);
+        foot[least] = std::copysign(
+            a[least] * std::sqrt((foot[least] / a[least]) * (foot[least] / a[least]) + rest), u[least]);
     return scale * foot;
 }
 

@@ -106,7 +106,8 @@ public:
                 if (next < 0)
                     continue;
                 const int next_steps = tracer_.steps(next);
-                if (miss(tracer_.trace(start(angle + share * step.x()), next, next_steps, nullptr)).norm() < here.norm())
+                if (miss(tracer_.trace(start(angle + share * step.x()), next, next_steps, nullptr)).norm() <
+                    here.norm())
                     break;
             }
             if (share <= 1e-3)
@@ -133,8 +134,8 @@ private:
 
 } // namespace
 
-EllipsoidPath ellipsoid_geodesic(const Vec3& radii, const Vec3& p, const Vec3& q, int side_axis, int side_sign,
-                                 std::vector<Vec3>* curve) {
+EllipsoidPath ellipsoid_geodesic(const Vec3& radii, const Vec3& p, const Vec3& q, int side_axis,
+                                 int side_sign, std::vector<Vec3>* curve) {
     const double unit = radii.mean();
     const Vec3 a = radii / unit, from = p / unit, to = q / unit;
     const EllipsoidSections sections(a, from, to);

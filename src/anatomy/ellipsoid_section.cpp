@@ -21,7 +21,8 @@ EllipsoidSections::Section EllipsoidSections::section(double angle_rad) const {
     s.axis_x = (from_ - s.centre).normalized();
     s.axis_y = s.normal.cross(s.axis_x);
     const Vec3 a = from_ - s.centre, b = to_ - s.centre;
-    s.route = circle_route(Vec2(a.dot(s.axis_x), a.dot(s.axis_y)), Vec2(b.dot(s.axis_x), b.dot(s.axis_y)), s.radius, 1);
+    s.route = circle_route(Vec2(a.dot(s.axis_x), a.dot(s.axis_y)), Vec2(b.dot(s.axis_x), b.dot(s.axis_y)),
+                           s.radius, 1);
     s.route.arc_rad = std::max(0.0, s.route.arc_rad);
     return s;
 }

@@ -69,7 +69,8 @@ public:
     /// Sweeps until nothing moves by more than a 1e-6th of a step.
     void tighten() {
         const std::size_t n = points_.size();
-        const double omega = std::min(1.85, 2 / (1 + std::sin(std::numbers::pi / static_cast<double>(n - 1))));
+        const double omega =
+            std::min(1.85, 2 / (1 + std::sin(std::numbers::pi / static_cast<double>(n - 1))));
         for (int sweep = 0; sweep < most_sweeps; ++sweep) {
             ++sweeps_;
             double moved = 0, total = 0;
@@ -178,7 +179,8 @@ GeodesicPath geodesic_path(const Vec3& p, const Vec3& q, std::span<const PlacedO
     String string(obstacles, options.clearance);
     GeodesicPath path;
     Vec3 from = p, to = q;
-    const int on_start = string.keep_out(from, options.clearance), on_end = string.keep_out(to, options.clearance);
+    const int on_start = string.keep_out(from, options.clearance),
+              on_end = string.keep_out(to, options.clearance);
     path.start_depth = (from - p).norm();
     path.end_depth = (to - q).norm();
 

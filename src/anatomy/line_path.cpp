@@ -104,14 +104,16 @@ double LinePathSolver::moment_arm(int coordinate, const Posture& posture) {
         const PathNode &a = path_.nodes[i], &b = path_.nodes[i + 1];
         const Vec3 along = b.position - a.position;
         const double length = along.norm();
-        if ((a.wrap >= 0 && a.wrap == b.wrap) || !(length > 0)) // on one body: its length there does not change
+        if ((a.wrap >= 0 && a.wrap == b.wrap) ||
+            !(length > 0)) // on one body: its length there does not change
             continue;
         arm += along.dot(velocity(a) - velocity(b)) / length;
     }
     return arm;
 }
 
-double LinePathSolver::moment_arm_by_difference(int muscle, int coordinate, const Posture& posture, double step) {
+double LinePathSolver::moment_arm_by_difference(int muscle, int coordinate, const Posture& posture,
+                                                double step) {
     const std::vector<char> active = active_points(at(model_.muscles, muscle), posture.q);
     coordinate_rates(model_.skeleton, posture.q, coordinate, rates_);
     double lengths[2];
@@ -145,7 +147,8 @@ void LinePathSolver::draw(const Posture& posture, Points& polyline) {
     }
 }
 
-double polyline_moment_arm(const Points& points, std::span<const int> body_of, std::span<const Twist> twists) {
+double polyline_moment_arm(const Points& points, std::span<const int> body_of,
+                           std::span<const Twist> twists) {
     double arm = 0;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
         const Vec3 along = points[i + 1] - points[i];

@@ -46,7 +46,8 @@ WrapOutcome LinePathSolver::apply_wrap(int wrap, const Posture& posture, std::sp
     int best_segment = -1;
     double least = std::numeric_limits<double>::infinity();
     for (int i = start; i < end; ++i) {
-        const PathNode &a = path_.nodes[static_cast<std::size_t>(i)], &b = path_.nodes[static_cast<std::size_t>(i) + 1];
+        const PathNode &a = path_.nodes[static_cast<std::size_t>(i)],
+                       &b = path_.nodes[static_cast<std::size_t>(i) + 1];
         if (a.wrap >= 0 && a.wrap == b.wrap) // lies on another object
             continue;
         const Vec3 p = pose.apply_inverse(a.position), q = pose.apply_inverse(b.position);
@@ -54,8 +55,8 @@ WrapOutcome LinePathSolver::apply_wrap(int wrap, const Posture& posture, std::sp
         outcome = contact.outcome;
         if (!contact.wraps())
             continue;
-        const double longer =
-            (contact.first - p).norm() + contact.surface_length + (contact.second - q).norm() - (q - p).norm();
+        const double longer = (contact.first - p).norm() + contact.surface_length +
+                              (contact.second - q).norm() - (q - p).norm();
         if (contact.outcome == WrapOutcome::mandatory || longer < least) {
             best = contact;
             best_segment = i;

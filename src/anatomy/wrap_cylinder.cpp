@@ -54,7 +54,8 @@ int constrained_turn(const WrapSurface& cylinder, const Vec3& p, const Vec3& q, 
 
 } // namespace
 
-WrapContact wrap_cylinder(const WrapSurface& cylinder, const Vec3& p, const Vec3& q, std::vector<Vec3>* curve) {
+WrapContact wrap_cylinder(const WrapSurface& cylinder, const Vec3& p, const Vec3& q,
+                          std::vector<Vec3>* curve) {
     const double r = cylinder.radius;
     const Vec2 flat_p = p.head<2>(), flat_q = q.head<2>();
     if (flat_p.norm() < r || flat_q.norm() < r)

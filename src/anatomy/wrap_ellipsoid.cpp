@@ -3,7 +3,8 @@
 
 namespace fascicle {
 
-WrapContact wrap_ellipsoid(const WrapSurface& ellipsoid, const Vec3& p, const Vec3& q, std::vector<Vec3>* curve) {
+WrapContact wrap_ellipsoid(const WrapSurface& ellipsoid, const Vec3& p, const Vec3& q,
+                           std::vector<Vec3>* curve) {
     // As a unit sphere: inside and crossing are the same there.
     const Vec3 from = p.cwiseQuotient(ellipsoid.radii), to = q.cwiseQuotient(ellipsoid.radii);
     if (from.norm() < 1 || to.norm() < 1)

@@ -8,9 +8,10 @@ namespace fascicle {
 /// Route round a circle of radius r about the origin, from p to q, both outside of it (distances P, Q >= r).
 struct CircleRoute {
     double start_angle = 0; ///< of the first tangent point, rad, from +x
-    double arc_rad = 0;     ///< from the first tangent point to the second, in the direction of `turn`; below 0: the
-                            ///< straight line passes by on that side
-    int turn = 1;           ///< 1 counter-clockwise, -1 clockwise
+    double arc_rad =
+        0;        ///< from the first tangent point to the second, in the direction of `turn`; below 0: the
+                  ///< straight line passes by on that side
+    int turn = 1; ///< 1 counter-clockwise, -1 clockwise
 
     Vec2 point(double radius, double share) const;
 };

@@ -1,6 +1,5 @@
 #include "fascicle/motion/joint_function.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <utility>
 
@@ -14,40 +13,39 @@ enum class EndRule { natural, simm };
 ///   h_{i-1} s_{i-1} + 2 (h_{i-1} + h_i) s_i + h_i s_{i+1} = 3 (g_i - g_{i-1}).
 /// Ends: s = 0 (natural), or (s_1 - s_0) / h_0 = 3 w (simm), where w is the third divided difference of the four nearest
 /// knots: the third derivative of a cubic c3 u^3 is 6 c3, and that of the piece is 2 (s_1 - s_0) / h_0. Three knots: w = 0.
-/// The system is diagonally dominant but for the simm ends; knots are tens, so a dense factorisation with pivots will do.
+/// All rows have three entries, so elimination without pivots will do: no pivot gets smaller than its row's step lengths.
 std::vector<double> half_second_derivatives(const std::vector<double>& x, const std::vector<double>& y,
                                             EndRule rule) {
-    const auto n = static_cast<Eigen::Index>(x.size());
-    const auto at = [](const std::vector<double>& v, Eigen::Index i) {
-        return v[static_cast<std::size_t>(i)];
-    };
-    const auto step = [&](Eigen::Index i) { return at(x, i + 1) - at(x, i); };
-    const auto slope = [&](Eigen::Index i) { return (at(y, i + 1) - at(y, i)) / step(i); };
-    const auto second = [&](Eigen::Index i) {
-        return (slope(i + 1) - slope(i)) / (at(x, i + 2) - at(x, i));
-    };
-    const auto third = [&](Eigen::Index i) { return (second(i + 1) - second(i)) / (at(x, i + 3) - at(x, i)); };
+    const std::size_t n = x.size();
+    const auto step = [&](std::size_t i) { return x[i + 1] - x[i]; };
+    const auto slope = [&](std::size_t i) { return (y[i + 1] - y[i]) / step(i); };
+    const auto second = [&](std::size_t i) { return (slope(i + 1) - slope(i)) / (x[i + 2] - x[i]); };
+    const auto third = [&](std::size_t i) { return (second(i + 1) - second(i)) / (x[i + 3] - x[i]); };
 
-    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(n, n);
-    Eigen::VectorXd b = Eigen::VectorXd::Zero(n);
-    for (Eigen::Index i = 1; i + 1 < n; ++i) {
-        a(i, i - 1) = step(i - 1);
-        a(i, i) = 2 * (step(i - 1) + step(i));
-        a(i, i + 1) = step(i);
-        b(i) = 3 * (slope(i) - slope(i - 1));
+    std::vector<double> below(n, 0.0), pivot(n, 1.0), above(n, 0.0), s(n, 0.0);
+    for (std::size_t i = 1; i + 1 < n; ++i) {
+        below[i] = step(i - 1);
+        pivot[i] = 2 * (step(i - 1) + step(i));
+        above[i] = step(i);
+        s[i] = 3 * (slope(i) - slope(i - 1));
     }
-    if (rule == EndRule::natural) {
-        a(0, 0) = a(n - 1, n - 1) = 1;
-    } else {
-        a(0, 0) = a(n - 1, n - 2) = -1;
-        a(0, 1) = a(n - 1, n - 1) = 1;
+    if (rule == EndRule::simm) {
+        pivot[0] = below[n - 1] = -1;
+        above[0] = pivot[n - 1] = 1;
         if (n > 3) {
-            b(0) = 3 * third(0) * step(0);
-            b(n - 1) = 3 * third(n - 4) * step(n - 2);
+            s[0] = 3 * third(0) * step(0);
+            s[n - 1] = 3 * third(n - 4) * step(n - 2);
         }
     }
-    const Eigen::VectorXd s = a.partialPivLu().solve(b);
-    return {s.data(), s.data() + n};
+    for (std::size_t i = 1; i < n; ++i) {
+        const double factor = below[i] / pivot[i - 1];
+        pivot[i] -= factor * above[i - 1];
+        s[i] -= factor * s[i - 1];
+    }
+    s[n - 1] /= pivot[n - 1];
+    for (std::size_t i = n - 1; i-- > 0;)
+        s[i] = (s[i] - above[i] * s[i + 1]) / pivot[i];
+    return s;
 }
 
 } // namespace
@@ -85,7 +83,8 @@ JointFunction JointFunction::simm_spline(const std::vector<double>& x, const std
                               : half_second_derivatives(x, y, EndRule::simm));
 }
 
-JointFunction JointFunction::natural_cubic_spline(const std::vector<double>& x, const std::vector<double>& y) {
+JointFunction JointFunction::natural_cubic_spline(const std::vector<double>& x,
+                                                  const std::vector<double>& y) {
     return cubic(x, y,
                  x.size() < 3 ? std::vector<double>(x.size(), 0.0)
                               : half_second_derivatives(x, y, EndRule::natural));

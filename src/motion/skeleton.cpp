@@ -136,12 +136,14 @@ void body_twists(const Skeleton& skeleton, std::span<const double> q, std::span<
         const int from = step.backwards ? joint.child : joint.parent;
         const int to = step.backwards ? joint.parent : joint.child;
         const Twist& base = twists[static_cast<std::size_t>(from)];
-        twists[static_cast<std::size_t>(to)] = {base.angular + relative.angular, base.linear + relative.linear};
+        twists[static_cast<std::size_t>(to)] = {base.angular + relative.angular,
+                                                base.linear + relative.linear};
     }
 }
 
 Mat3 rotation_xyz(const Vec3& angles_rad) {
-    return (Eigen::AngleAxisd(angles_rad.x(), Vec3::UnitX()) * Eigen::AngleAxisd(angles_rad.y(), Vec3::UnitY()) *
+    return (Eigen::AngleAxisd(angles_rad.x(), Vec3::UnitX()) *
+            Eigen::AngleAxisd(angles_rad.y(), Vec3::UnitY()) *
             Eigen::AngleAxisd(angles_rad.z(), Vec3::UnitZ()))
         .toRotationMatrix();
 }

@@ -41,20 +41,22 @@ void order_couplers(Skeleton& skeleton, const std::string& where) {
         char& mark = dependent[static_cast<std::size_t>(coupler.dependent)];
         if (mark != 0)
             throw_error(where, "two constraints tell the value of coordinate '" +
-                                   skeleton.coordinates[static_cast<std::size_t>(coupler.dependent)].name + "'");
+                                   skeleton.coordinates[static_cast<std::size_t>(coupler.dependent)].name +
+                                   "'");
         mark = 1;
     }
     std::vector<CoordinateCoupler> rest = std::move(skeleton.couplers), sorted;
     while (!rest.empty()) {
         const auto ready = std::find_if(rest.begin(), rest.end(), [&](const CoordinateCoupler& coupler) {
-            return std::all_of(coupler.function.terms.begin(), coupler.function.terms.end(), [&](const auto& term) {
-                return dependent[static_cast<std::size_t>(term.coordinate)] == 0;
-            });
+            return std::all_of(
+                coupler.function.terms.begin(), coupler.function.terms.end(),
+                [&](const auto& term) { return dependent[static_cast<std::size_t>(term.coordinate)] == 0; });
         });
         if (ready == rest.end())
-            throw_error(where, "the constraint on coordinate '" +
-                                   skeleton.coordinates[static_cast<std::size_t>(rest.front().dependent)].name +
-                                   "' depends on itself through others");
+            throw_error(where,
+                        "the constraint on coordinate '" +
+                            skeleton.coordinates[static_cast<std::size_t>(rest.front().dependent)].name +
+                            "' depends on itself through others");
         dependent[static_cast<std::size_t>(ready->dependent)] = 0;
         sorted.push_back(std::move(*ready));
         rest.erase(ready);
@@ -74,7 +76,8 @@ std::vector<std::string> arrange_skeleton(Skeleton& skeleton, const std::string&
     std::vector<std::string> notes;
     for (std::size_t b = 1; b < skeleton.bodies.size(); ++b)
         if (placed[b] == 0)
-            notes.push_back("no joint ties body '" + skeleton.bodies[b].name + "' to ground: it stays in ground's frame");
+            notes.push_back("no joint ties body '" + skeleton.bodies[b].name +
+                            "' to ground: it stays in ground's frame");
     return notes;
 }
 

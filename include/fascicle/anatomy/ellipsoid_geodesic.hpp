@@ -28,8 +28,8 @@ struct EllipsoidPath {
 /// and leave p along a (c - k P), also when p lies on the surface. So a path is told by the angle of c and its length on the
 /// surface, and is right when the line on from its end passes through q: two equations, solved by Newton's method from the
 /// best of the plane sections, which are circles in y.
-EllipsoidPath ellipsoid_geodesic(const Vec3& radii, const Vec3& p, const Vec3& q, int side_axis, int side_sign,
-                                 std::vector<Vec3>* curve);
+EllipsoidPath ellipsoid_geodesic(const Vec3& radii, const Vec3& p, const Vec3& q, int side_axis,
+                                 int side_sign, std::vector<Vec3>* curve);
 
 /// The point of the ellipsoid's surface nearest to p, which may lie anywhere; one of them where there are several. Error of
 /// 1e-12 of the largest radius.

@@ -69,6 +69,7 @@ GeodesicPath geodesic_path(const Vec3& p, const Vec3& q, std::span<const PlacedO
 
 /// Signed distance to the nearest obstacle at the worst point of a segment, by marching: lower than the least distance by
 /// at most `precision` (> 0). No obstacles: infinity.
-double segment_clearance(const Vec3& a, const Vec3& b, std::span<const PlacedObstacle> obstacles, double precision);
+double segment_clearance(const Vec3& a, const Vec3& b, std::span<const PlacedObstacle> obstacles,
+                         double precision);
 
 } // namespace fascicle

@@ -18,9 +18,9 @@ struct PathPoint {
     std::string name;
     PathPointKind kind = PathPointKind::fixed;
     int body = 0;
-    Vec3 location = Vec3::Zero(); ///< in the body's frame; not of moving points
-    int coordinate = -1;          ///< conditional: whose value counts
-    double range_min = 0, range_max = 0; ///< conditional: both included, and 1e-5 beyond, as OpenSim does
+    Vec3 location = Vec3::Zero();            ///< in the body's frame; not of moving points
+    int coordinate = -1;                     ///< conditional: whose value counts
+    double range_min = 0, range_max = 0;     ///< conditional: both included, and 1e-5 beyond, as OpenSim does
     std::array<CoordinateFunction, 3> moves; ///< moving: x, y, z in `frame`
     Pose frame;                              ///< moving: in the body's frame
 };
@@ -43,9 +43,9 @@ struct PathWrap {
 
 struct LineMuscle {
     std::string name;
-    std::string type; ///< as the model calls it, such as Thelen2003Muscle
-    std::vector<PathPoint> points; ///< from origin to insertion, two at least
-    std::vector<PathWrap> wraps;   ///< in the order in which they are tried
+    std::string type;                 ///< as the model calls it, such as Thelen2003Muscle
+    std::vector<PathPoint> points;    ///< from origin to insertion, two at least
+    std::vector<PathWrap> wraps;      ///< in the order in which they are tried
     double max_isometric_force_n = 0; ///< 0: not told; the other three as well
     double optimal_fibre_length_m = 0;
     double tendon_slack_length_m = 0;

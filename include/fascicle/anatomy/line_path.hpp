@@ -17,9 +17,9 @@ void set_posture(const Skeleton& skeleton, std::span<const double> values, Postu
 /// A bend of the path, in ground, metres.
 struct PathNode {
     Vec3 position = Vec3::Zero();
-    int body = 0;           ///< that it goes with
-    int point = -1;         ///< index into LineMuscle::points; -1: a tangent point of a wrap
-    int wrap = -1;          ///< index into LineMuscle::wraps; -1: a path point
+    int body = 0;              ///< that it goes with
+    int point = -1;            ///< index into LineMuscle::points; -1: a tangent point of a wrap
+    int wrap = -1;             ///< index into LineMuscle::wraps; -1: a path point
     double surface_length = 0; ///< second tangent point: length of the path from the first one to it
 };
 

@@ -13,11 +13,11 @@ enum class WrapShape { sphere, cylinder, ellipsoid, torus };
 /// throughout (metres in models of OpenSim). torus is known by name only: nothing wraps over it.
 struct WrapSurface {
     WrapShape shape = WrapShape::sphere;
-    double radius = 0;           ///< sphere, cylinder; > 0
-    double length = 0;           ///< cylinder
-    Vec3 radii = Vec3::Zero();   ///< ellipsoid; > 0
-    int side_axis = 0;           ///< the constrained side ("quadrant"): x, y or z ...
-    int side_sign = 0;           ///< ... at its positive (1) or negative (-1) half; 0: wrap on either side
+    double radius = 0;         ///< sphere, cylinder; > 0
+    double length = 0;         ///< cylinder
+    Vec3 radii = Vec3::Zero(); ///< ellipsoid; > 0
+    int side_axis = 0;         ///< the constrained side ("quadrant"): x, y or z ...
+    int side_sign = 0;         ///< ... at its positive (1) or negative (-1) half; 0: wrap on either side
 };
 
 enum class WrapOutcome {
@@ -53,7 +53,9 @@ WrapContact wrap_segment(const WrapSurface& surface, const Vec3& p, const Vec3& 
 
 /// The three parts of wrap_segment. Arguments and result are the same.
 WrapContact wrap_sphere(const WrapSurface& sphere, const Vec3& p, const Vec3& q, std::vector<Vec3>* curve);
-WrapContact wrap_cylinder(const WrapSurface& cylinder, const Vec3& p, const Vec3& q, std::vector<Vec3>* curve);
-WrapContact wrap_ellipsoid(const WrapSurface& ellipsoid, const Vec3& p, const Vec3& q, std::vector<Vec3>* curve);
+WrapContact wrap_cylinder(const WrapSurface& cylinder, const Vec3& p, const Vec3& q,
+                          std::vector<Vec3>* curve);
+WrapContact wrap_ellipsoid(const WrapSurface& ellipsoid, const Vec3& p, const Vec3& q,
+                           std::vector<Vec3>* curve);
 
 } // namespace fascicle

@@ -50,7 +50,7 @@ struct JointAxis {
 /// Then X_ground_child = X_ground_parent X_parent_F (R, p) X_child_M^-1. Fewer axes for simpler joints.
 struct Joint {
     std::string name;
-    std::string type; ///< as the model calls it: CustomJoint, PinJoint, ...
+    std::string type;          ///< as the model calls it: CustomJoint, PinJoint, ...
     int parent = 0, child = 0; ///< bodies
     Pose parent_frame;         ///< F in the parent body
     Pose child_frame;          ///< M in the child body
