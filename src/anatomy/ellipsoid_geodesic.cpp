@@ -18,9 +18,9 @@ class Tracer {
 public:
     explicit Tracer(const Vec3& radii)
         : per_square_(radii.cwiseProduct(radii).cwiseInverse()),
-          step_(0.05 * radii.minCoeff() * radii.minCoeff() / radii.maxCoeff()) {}
+          step_(0.03 * radii.minCoeff() * radii.minCoeff() / radii.maxCoeff()) {}
 
-    /// Steps for a length: 0.05 of the smallest radius of curvature each, which leaves an error of about 1e-8 of the length;
+    /// Steps for a length: 0.03 of the smallest radius of curvature each, which leaves an error of about 1e-9 of the length;
     /// 4096 at most, which flat ellipsoids reach.
     int steps(double length) const {
         return static_cast<int>(std::clamp(std::ceil(length / step_), 8.0, 4096.0));

@@ -10,7 +10,8 @@ namespace fascicle {
 namespace {
 
 constexpr int most_sweeps = 1500; // a level
-constexpr int most_lifts = 60;
+constexpr std::size_t most_points = 20000;
+constexpr int most_rounds = 40; // a corner is halved each time
 
 struct Touch {
     int obstacle = -1;
@@ -35,15 +36,18 @@ public:
         }
         return best;
     }
-    /// Moves x out to `distance` of what is nearer. Between two bones it takes a few turns. Returns what it rests on, or -1.
+    /// Moves x out to `distance` of what is nearer. Between two bones it takes a few turns. Returns what it rests on (moved or
+    /// not), or -1.
     int keep_out(Vec3& x, double distance) const {
         int touching = -1;
         for (int turn = 0; turn < 4; ++turn) {
             const Touch touch = nearest(x);
-            if (touch.obstacle < 0 || touch.foot.distance >= distance * (1 - 1e-9))
+            if (touch.obstacle < 0 || touch.foot.distance > distance * (1 + 1e-6))
+                break;
+            touching = touch.obstacle;
+            if (touch.foot.distance >= distance * (1 - 1e-9))
                 break;
             x = touch.foot.point + distance * touch.foot.outward;
-            touching = touch.obstacle;
         }
         return touching;
     }
@@ -52,10 +56,9 @@ public:
         points_ = std::move(points);
         const std::size_t n = points_.size();
         touching_.assign(n, -1);
-        wanted_.assign(n, clearance_);
         free_.assign(n, {Vec3::Zero(), -1.0});
         for (std::size_t i = 1; i + 1 < n; ++i)
-            touching_[i] = keep_out(points_[i], wanted_[i]);
+            touching_[i] = keep_out(points_[i], clearance_);
     }
     void halve() {
         Points finer;
@@ -86,25 +89,50 @@ public:
                 break;
         }
     }
-    /// Gives the ends of every segment that comes too near more clearance, but for a step's length at most: what that does not
-    /// cure runs through a bone. True when there was one.
-    bool lift() {
-        bool any = false;
-        const double least = clearance_ / 10;
-        std::vector<double> raised = wanted_;
+    /// Puts a point, led out, where a segment that meets a bone is deepest. True when there was one.
+    bool refine() {
+        Points finer{points_.front()};
         for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
-            const double here = segment_clearance(points_[i], points_[i + 1], obstacles_, least / 2);
-            if (here >= least / 4)
-                continue;
-            any = true;
-            const double most = clearance_ + (points_[i + 1] - points_[i]).norm();
-            for (const std::size_t end : {i, i + 1}) {
-                raised[end] = std::max(raised[end], std::min(most, wanted_[end] + least - here));
-                free_[end].radius = -1;
+            const Vec3 &a = points_[i], &b = points_[i + 1];
+            if (meets(a, b)) {
+                Vec3 deepest = (a + b) / 2;
+                double least = nearest(deepest).foot.distance;
+                constexpr int samples = 12;
+                for (int k = 1; k < samples; ++k) {
+                    const Vec3 x = a + (static_cast<double>(k) / samples) * (b - a);
+                    if (const double here = nearest(x).foot.distance; here < least) {
+                        least = here;
+                        deepest = x;
+                    }
+                }
+                finer.push_back(deepest);
+            }
+            finer.push_back(b);
+        }
+        if (finer.size() == points_.size())
+            return false;
+        start(std::move(finer));
+        return true;
+    }
+    /// Takes out points that the string does not need to stay clear of the bones: over them it gets shorter.
+    void pull_taut() {
+        for (bool any = true; any;) {
+            any = false;
+            for (std::size_t i = 1; i + 1 < points_.size();) {
+                if (meets(points_[i - 1], points_[i + 1])) {
+                    ++i;
+                    continue;
+                }
+                points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(i));
+                touching_.erase(touching_.begin() + static_cast<std::ptrdiff_t>(i));
+                any = true;
             }
         }
-        wanted_ = std::move(raised);
-        return any;
+    }
+    /// Whether every inner point is outside; with refine() == false: whether the whole string is.
+    bool points_are_outside() const {
+        return std::all_of(points_.begin() + 1, points_.end() - 1,
+                           [this](const Vec3& x) { return !(nearest(x).foot.distance <= 0); });
     }
 
     const Points& points() const { return points_; }
@@ -112,6 +140,11 @@ public:
     int sweeps() const { return sweeps_; }
 
 private:
+    bool meets(const Vec3& a, const Vec3& b) const {
+        return std::any_of(obstacles_.begin(), obstacles_.end(), [&](const PlacedObstacle& obstacle) {
+            return obstacle.bone->meets(obstacle.pose.apply_inverse(a), obstacle.pose.apply_inverse(b));
+        });
+    }
     /// A ball in which nothing is nearer than the clearance.
     struct FreeBall {
         Vec3 centre;
@@ -123,18 +156,17 @@ private:
         if ((x - free_[i].centre).norm() < free_[i].radius)
             return;
         const Touch touch = nearest(x);
-        if (touch.obstacle < 0 || touch.foot.distance >= wanted_[i]) {
-            free_[i] = {x, touch.foot.distance - wanted_[i]};
+        if (touch.obstacle < 0 || touch.foot.distance >= clearance_) {
+            free_[i] = {x, touch.foot.distance - clearance_};
             return;
         }
-        touching_[i] = keep_out(points_[i], wanted_[i]);
+        touching_[i] = keep_out(points_[i], clearance_);
     }
 
     std::span<const PlacedObstacle> obstacles_;
     double clearance_;
     Points points_;
     std::vector<int> touching_;
-    std::vector<double> wanted_;
     std::vector<FreeBall> free_;
     int sweeps_ = 0;
 };
@@ -153,17 +185,31 @@ Points straight(const Vec3& p, const Vec3& q, int segments) {
     return points;
 }
 
-/// A string from before with new ends: what the ends have moved by fades out along it.
-Points adapted(Points guess, const Vec3& p, const Vec3& q) {
-    const Vec3 at_start = p - guess.front(), at_end = q - guess.back();
-    const double last = static_cast<double>(guess.size() - 1);
-    for (std::size_t i = 0; i < guess.size(); ++i) {
-        const double share = static_cast<double>(i) / last;
-        guess[i] += (1 - share) * at_start + share * at_end;
+/// A string from before with new ends, in equal steps: what the ends have moved by fades out along it.
+Points adapted(const Points& guess, const Vec3& p, const Vec3& q, int segments) {
+    const double length = length_of(guess);
+    Points points;
+    std::size_t piece = 0;
+    double passed = 0; // up to the start of the piece
+    for (int i = 0; i <= segments; ++i) {
+        const double wanted = length * i / segments;
+        double here = (guess[piece + 1] - guess[piece]).norm();
+        while (piece + 2 < guess.size() && passed + here < wanted) {
+            passed += here;
+            ++piece;
+            here = (guess[piece + 1] - guess[piece]).norm();
+        }
+        const double share = here > 0 ? std::min(1.0, (wanted - passed) / here) : 0.0;
+        points.push_back(guess[piece] + share * (guess[piece + 1] - guess[piece]));
     }
-    guess.front() = p;
-    guess.back() = q;
-    return guess;
+    const Vec3 at_start = p - guess.front(), at_end = q - guess.back();
+    for (int i = 0; i <= segments; ++i) {
+        const double share = static_cast<double>(i) / segments;
+        points[static_cast<std::size_t>(i)] += (1 - share) * at_start + share * at_end;
+    }
+    points.front() = p;
+    points.back() = q;
+    return points;
 }
 
 } // namespace
@@ -184,8 +230,8 @@ GeodesicPath geodesic_path(const Vec3& p, const Vec3& q, std::span<const PlacedO
     path.start_depth = (from - p).norm();
     path.end_depth = (to - q).norm();
 
-    if (guess.size() == static_cast<std::size_t>(options.segments) + 1) {
-        string.start(adapted(guess, from, to));
+    if (guess.size() > 1) {
+        string.start(adapted(guess, from, to, options.segments));
         string.tighten();
     } else {
         int coarse = options.segments;
@@ -199,8 +245,10 @@ GeodesicPath geodesic_path(const Vec3& p, const Vec3& q, std::span<const PlacedO
         }
     }
     bool low = true;
-    for (int round = 0; round < most_lifts && (low = string.lift()); ++round)
-        string.tighten();
+    for (int round = 0; round < most_rounds && low && string.points().size() < most_points; ++round)
+        low = string.refine();
+    if (!low)
+        string.pull_taut();
 
     path.points = string.points();
     path.touching = string.touching();
@@ -214,7 +262,7 @@ GeodesicPath geodesic_path(const Vec3& p, const Vec3& q, std::span<const PlacedO
         path.points.push_back(q);
         path.touching.push_back(on_end);
     }
-    path.clear = !low;
+    path.clear = !low && string.points_are_outside();
     path.length = length_of(path.points);
     path.sweeps = string.sweeps();
     return path;

@@ -96,7 +96,8 @@ TEST_CASE("hip model of this specimen: moved by its motion, too", "[io][osim][da
     double worst = 0;
     for (std::size_t row = 0; row < motion.row_count(); ++row) {
         coordinate_values(motion, columns, row, model.skeleton, q);
-        CHECK(q[static_cast<std::size_t>(hip.flexion)] == Approx((2.0 * static_cast<double>(row) - 10) * degree));
+        CHECK(q[static_cast<std::size_t>(hip.flexion)] ==
+              Approx((2.0 * static_cast<double>(row) - 10) * degree));
         set_posture(model.skeleton, q, posture);
         const double degrees = q[static_cast<std::size_t>(hip.flexion)] / degree;
         for (std::size_t m = 0; m < model.muscles.size(); ++m) {
@@ -135,7 +136,8 @@ TEST_CASE("hip model of this specimen: bodies, meshes, points", "[io][osim][data
     Posture posture;
     set_posture(skeleton, skeleton.default_values(), posture);
     const Pose femur_in_pelvis = posture.poses[1].inverse().after(posture.poses[2]);
-    CHECK((femur_in_pelvis.apply(Vec3(0.143478, 0.243439, -0.432669)) - Vec3(0.143478, 0.243439, -0.43267)).norm() < 1e-9);
+    CHECK((femur_in_pelvis.apply(Vec3(0.143478, 0.243439, -0.432669)) - Vec3(0.143478, 0.243439, -0.43267))
+              .norm() < 1e-9);
 }
 
 TEST_CASE("gait2392: 92 muscles of plausible length, and arms that agree with differences",
@@ -167,7 +169,8 @@ TEST_CASE("gait2392: 92 muscles of plausible length, and arms that agree with di
         // Muscle with tendon: tendons are slack below 1 and stretch by percents; fibres work between 0.4 and 1.6.
         const double length = solver.solve(static_cast<int>(m), posture).length;
         INFO(muscle.name << ' ' << length);
-        CHECK(length > muscle.tendon_slack_length_m + 0.3 * muscle.optimal_fibre_length_m * std::cos(muscle.pennation_rad));
+        CHECK(length > muscle.tendon_slack_length_m +
+                           0.3 * muscle.optimal_fibre_length_m * std::cos(muscle.pennation_rad));
         CHECK(length < 1.1 * muscle.tendon_slack_length_m + 1.8 * muscle.optimal_fibre_length_m);
     }
     CHECK(moving == 8);
