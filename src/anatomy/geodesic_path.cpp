@@ -13,6 +13,13 @@ constexpr int most_sweeps = 1500; // a level
 constexpr std::size_t most_points = 20000;
 constexpr int most_rounds = 40; // a corner is halved each time
 
+double length_of(const Points& points) {
+    double length = 0;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+        length += (points[i + 1] - points[i]).norm();
+    return length;
+}
+
 struct Touch {
     int obstacle = -1;
     BoneObstacle::Foot foot; ///< in the string's frame
@@ -69,19 +76,24 @@ public:
         finer.push_back(points_.back());
         start(std::move(finer));
     }
-    /// Sweeps until nothing moves by more than a 1e-6th of a step.
+    /// Sweeps until nothing moves by more than a 1e-6th of a step. No point goes further than half a step at once, so that none
+    /// is led out on the wrong side of a bone that is thicker than that.
     void tighten() {
         const std::size_t n = points_.size();
         const double omega =
             std::min(1.85, 2 / (1 + std::sin(std::numbers::pi / static_cast<double>(n - 1))));
         for (int sweep = 0; sweep < most_sweeps; ++sweep) {
             ++sweeps_;
+            const double furthest = length_of(points_) / static_cast<double>(2 * (n - 1));
             double moved = 0, total = 0;
             for (std::size_t k = 1; k + 1 < n; ++k) {
                 const std::size_t i = sweep % 2 == 0 ? k : n - 1 - k;
                 const Vec3 before = points_[i];
-                const Vec3 middle = (points_[i - 1] + points_[i + 1]) / 2;
-                place(i, before + (sweep % 16 == 15 ? 1.0 : omega) * (middle - before));
+                Vec3 step =
+                    (sweep % 16 == 15 ? 1.0 : omega) * ((points_[i - 1] + points_[i + 1]) / 2 - before);
+                if (const double size = step.norm(); size > furthest)
+                    step *= furthest / size;
+                place(i, before + step);
                 moved = std::max(moved, (points_[i] - before).norm());
                 total += (points_[i + 1] - points_[i]).norm();
             }
@@ -171,13 +183,6 @@ private:
     int sweeps_ = 0;
 };
 
-double length_of(const Points& points) {
-    double length = 0;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
-        length += (points[i + 1] - points[i]).norm();
-    return length;
-}
-
 Points straight(const Vec3& p, const Vec3& q, int segments) {
     Points points;
     for (int i = 0; i <= segments; ++i)
@@ -212,6 +217,28 @@ Points adapted(const Points& guess, const Vec3& p, const Vec3& q, int segments) 
     return points;
 }
 
+/// Pulls the string tight and bends it round what its chords cut. False: something of it stays inside.
+bool lead_round(String& string, const Vec3& from, const Vec3& to, int segments, const Points& guess) {
+    if (guess.size() > 1) {
+        string.start(adapted(guess, from, to, segments));
+        string.tighten();
+    } else {
+        int coarse = segments;
+        while (coarse % 2 == 0 && coarse > 5)
+            coarse /= 2;
+        string.start(straight(from, to, coarse));
+        string.tighten();
+        for (; coarse < segments; coarse *= 2) {
+            string.halve();
+            string.tighten();
+        }
+    }
+    bool low = true;
+    for (int round = 0; round < most_rounds && low && string.points().size() < most_points; ++round)
+        low = string.refine();
+    return !low && string.points_are_outside();
+}
+
 } // namespace
 
 GeodesicPath geodesic_path(const Vec3& p, const Vec3& q, std::span<const PlacedObstacle> obstacles,
@@ -229,25 +256,10 @@ GeodesicPath geodesic_path(const Vec3& p, const Vec3& q, std::span<const PlacedO
               on_end = string.keep_out(to, options.clearance);
     path.start_depth = (from - p).norm();
     path.end_depth = (to - q).norm();
-
-    if (guess.size() > 1) {
-        string.start(adapted(guess, from, to, options.segments));
-        string.tighten();
-    } else {
-        int coarse = options.segments;
-        while (coarse % 2 == 0 && coarse > 5)
-            coarse /= 2;
-        string.start(straight(from, to, coarse));
-        string.tighten();
-        for (; coarse < options.segments; coarse *= 2) {
-            string.halve();
-            string.tighten();
-        }
-    }
-    bool low = true;
-    for (int round = 0; round < most_rounds && low && string.points().size() < most_points; ++round)
-        low = string.refine();
-    if (!low)
+    // Caught in a bone: smaller steps may not be.
+    path.clear = lead_round(string, from, to, options.segments, guess) ||
+                 lead_round(string, from, to, 3 * options.segments, guess);
+    if (path.clear)
         string.pull_taut();
 
     path.points = string.points();
@@ -262,7 +274,6 @@ GeodesicPath geodesic_path(const Vec3& p, const Vec3& q, std::span<const PlacedO
         path.points.push_back(q);
         path.touching.push_back(on_end);
     }
-    path.clear = !low && string.points_are_outside();
     path.length = length_of(path.points);
     path.sweeps = string.sweeps();
     return path;

@@ -57,8 +57,11 @@ void read_header_line(std::string_view line, Header& header) {
     const std::string text = lower_case(trimmed(line));
     const std::size_t cut = text.find_first_of("= \t");
     const std::string key = text.substr(0, cut);
-    const std::string value(cut == std::string::npos ? std::string_view{}
-                                                     : trimmed(std::string_view(text).substr(cut + 1)));
+    std::string_view rest =
+        cut == std::string::npos ? std::string_view{} : trimmed(std::string_view(text).substr(cut));
+    if (rest.starts_with('='))
+        rest = trimmed(rest.substr(1));
+    const std::string value(rest);
     long long count = 0;
     const bool is_count = io::to_integer(value, count) == io::NumberCheck::ok && count >= 0;
     if (key == "indegrees")

@@ -150,7 +150,8 @@ TEST_CASE("sphere: never longer than a tightened string, for many ends", "[anato
     CHECK(wrapped == 12);
 }
 
-TEST_CASE("cylinder: across, a circle; along, a straight line on the unrolled surface", "[anatomy][wrap]") {
+TEST_CASE("cylinder: across it is a circle, along it a straight line on the unrolled surface",
+          "[anatomy][wrap]") {
     const double a = 150 * pi / 180;
     for (const double rise : {0.0, 1.5, -4.0}) {
         const Vec3 p(2, 0, -rise / 2), q(2 * std::cos(a), 2 * std::sin(a), rise / 2);

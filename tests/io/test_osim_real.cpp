@@ -1,6 +1,7 @@
 // Real models and motions, against what OpenSim itself printed.
 
-#include "fascicle/anatomy/line_path.hpp"
+#include "fascicle/anatomy/line_measure.hpp"
+#include "fascicle/io/mesh_file.hpp"
 #include "fascicle/io/osim_file.hpp"
 #include "fascicle/io/storage_file.hpp"
 #include "support/data_dir.hpp"
@@ -211,4 +212,53 @@ TEST_CASE("gait2392: 92 muscles of plausible length, and arms that agree with di
     CHECK(arm_mm("rect_fem_r", "knee_angle_r") > 20); // the knee's angle grows in extension
     CHECK(arm_mm("med_gas_r", "ankle_angle_r") < -30);
     CHECK(std::abs(arm_mm("soleus_r", "hip_flexion_r")) < 1e-9);
+}
+
+TEST_CASE("hip model of this specimen: muscles as strings over its bones stay out of them",
+          "[io][osim][data]") {
+    FASCICLE_NEED_DATA(data);
+    const Hip hip = read_hip(data);
+    const LineModel& model = hip.file.model;
+    std::vector<BodyObstacle> bones;
+    for (const auto& [body, file] :
+         {std::pair("pelvis", "lhdl/pelvis.obj"), std::pair("femur_r", "lhdl/femur.vtk")}) {
+        TriMesh mesh = read_mesh_file(data / file).mesh;
+        for (Vec3& x : mesh.positions)
+            x /= 1000;
+        bones.push_back({model.skeleton.body_index(body), std::make_shared<const BoneObstacle>(mesh)});
+    }
+    LinePathSolver solver(model);
+    Posture posture;
+    std::vector<double> q = model.skeleton.default_values();
+    const auto measure = [&](const std::string& muscle, double degrees) {
+        q[static_cast<std::size_t>(hip.flexion)] = degrees * degree;
+        set_posture(model.skeleton, q, posture);
+        const int m = model.muscle_index(muscle);
+        return measure_string(model, m, hip.flexion, posture, measure_line(solver, m, hip.flexion, posture),
+                              bones);
+    };
+    for (const char* muscle : {"glut_max2_r", "iliacus_r"}) {
+        const double angle = 30, step = 2;
+        const StringMeasure string = measure(muscle, angle);
+        CHECK(string.path.clear);
+        CHECK(string.path.length >= (string.path.points.back() - string.path.points.front()).norm());
+        CHECK(std::count(string.path.touching.begin(), string.path.touching.end(), 0) > 0);
+        const double difference =
+            -(measure(muscle, angle + step).path.length - measure(muscle, angle - step).path.length) /
+            (2 * step * degree);
+        INFO(muscle << ": " << 1000 * string.moment_arm << " mm, by difference " << 1000 * difference);
+        CHECK(std::abs(string.moment_arm - difference) < 1e-3);
+        CHECK(std::abs(string.moment_arm) > 0.02);
+        measure(muscle, angle); // back to its posture
+        const std::size_t first = string.path.start_depth > 0 ? 1 : 0;
+        const std::size_t last = string.path.points.size() - (string.path.end_depth > 0 ? 2 : 1);
+        for (std::size_t i = first; i < last; ++i)
+            for (const BodyObstacle& bone : bones)
+                for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+                    const Vec3 x =
+                        string.path.points[i] + share * (string.path.points[i + 1] - string.path.points[i]);
+                    CHECK(bone.bone->distance(
+                              posture.poses[static_cast<std::size_t>(bone.body)].apply_inverse(x)) > 0);
+                }
+    }
 }

@@ -26,6 +26,7 @@ std::function<int()> add_scenes(CLI::App& app);
 std::function<int()> add_info(CLI::App& app);
 std::function<int()> add_simulate(CLI::App& app);
 std::function<int()> add_render(CLI::App& app);
+std::function<int()> add_lines(CLI::App& app);
 std::function<int()> add_bench(CLI::App& app);
 std::function<int()> add_parameters(CLI::App& app);
 
