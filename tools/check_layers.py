@@ -36,6 +36,7 @@ ONLY_IN = [
     (re.compile(r"^tbb/"), {"base"}),
     (re.compile(r"^(Bullet[A-Z]\w*/|LinearMath/|bt[A-Z])"), {"bench"}),
     (re.compile(r"^CLI/"), {"app"}),
+    (re.compile(r"^pugixml"), {"io"}),
     (re.compile(r"^(tiny_obj_loader|stb_)"), {"io", "render"}),
 ]
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')

@@ -24,6 +24,13 @@ const std::vector<Command>& commands() {
          "  fascicle render --scene squish-box --frame 100 --colour strain --out box.png",
          add_render},
 #endif
+        {"lines", "Length and moment arms of line muscles of an OpenSim model",
+         "  fascicle lines --osim hip.osim --motion flexion.mot --out out/lines\n"
+         "  fascicle lines --osim gait.osim --motion walk.mot --coordinate knee_angle_r --export vtp --out "
+         "out/walk\n"
+         "  fascicle lines --osim hip.osim --motion flexion.mot --bone pelvis=pelvis.obj --bone "
+         "femur_r=femur.vtk --out out/bones",
+         add_lines},
         {"bench", "Measure how fast everything is on this machine",
          "  fascicle bench\n"
          "  fascicle bench --case gluteus_maximus --part frames --json gluteus.json",
