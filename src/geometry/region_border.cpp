@@ -20,6 +20,8 @@ public:
     BorderWalk(const SurfaceGraph& graph, const SurfaceRegion& region) : graph_(graph), region_(region) {
         std::vector<int> triangles;
         region.for_each([&](int v) {
+            if (!at_border(v))
+                return;
             for (const int t : graph.topology().vertex_triangles(v))
                 triangles.push_back(t);
         });
@@ -58,6 +60,17 @@ public:
     }
 
 private:
+    /// Whether a piece may run beside a vertex of the region.
+    bool at_border(int v) const {
+        for (const int n : graph_.topology().vertex_neighbours(v))
+            if (!region_.contains(n))
+                return true;
+        for (const int e : graph_.vertex_edges(v))
+            if (graph_.topology().edge_half_edges(e).size() == 1)
+                return true;
+        return false;
+    }
+
     int edge_count() const { return static_cast<int>(graph_.topology().edges().size()); }
 
     void add_triangle(int t) {
