@@ -1,5 +1,6 @@
 #include "geometry/surface_strip.hpp"
 
+#include "fascicle/geometry/closest_point.hpp"
 #include "geometry/funnel.hpp"
 
 #include <algorithm>
@@ -252,7 +253,20 @@ std::size_t SurfaceStrip::tighten(std::size_t step) {
     }
     const FunnelGate& g = gates.back();
     const Vec2 end_place = place_at(g.right, g.left, distance(right, end), distance(left, end), -1.0);
-    const std::vector<double> shares = funnel_shares(Vec2::Zero(), gates, end_place);
+    // A start on an edge has passed it already; to the funnel such a gate is as wide as the plane.
+    std::vector<double> shares;
+    const double nothing = 1e-9 * graph_.mean_edge_length();
+    while (shares.size() < gates.size()) {
+        const auto [l, r] = names[shares.size()];
+        const double share = closest_share_on_segment(start, graph_.position(l), graph_.position(r));
+        if ((graph_.position(l) + share * (graph_.position(r) - graph_.position(l)) - start).norm() > nothing)
+            break;
+        shares.push_back(share);
+    }
+    const auto passed = static_cast<std::ptrdiff_t>(shares.size());
+    const std::vector<double> rest =
+        funnel_shares(Vec2::Zero(), {gates.begin() + passed, gates.end()}, end_place);
+    shares.insert(shares.end(), rest.begin(), rest.end());
 
     std::vector<Step> fresh;
     for (std::size_t i = 0; i < shares.size(); ++i) {

@@ -37,6 +37,14 @@ TEST_CASE("a line on a plane is straight", "[geometry][geodesic_line]") {
     for (int k = 0; k < 60; ++k) {
         const double x0 = place(random), y0 = place(random), x1 = place(random), y1 = place(random);
         Vec3 a(x0, y0, 0), b(x1, y1, 0);
+        if (k % 5 == 1) { // from the middle of an edge to that of another
+            const auto middle = [&] {
+                const Edge& e = graph.topology().edges()[random() % graph.topology().edges().size()];
+                return Vec3(0.5 * (graph.position(e.a) + graph.position(e.b)));
+            };
+            a = middle();
+            b = middle();
+        }
         if (k % 5 == 0) // from vertex to vertex
             a = graph.position(int(random() % 961)), b = graph.position(int(random() % 961));
         const GeodesicLine line = geodesic_line(search, foot(graph, a), foot(graph, b));
