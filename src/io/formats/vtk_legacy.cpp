@@ -15,6 +15,38 @@ constexpr const char* sections =
     "POINTS, POLYGONS, TRIANGLE_STRIPS, LINES, VERTICES, FIELD, METADATA, CELL_DATA or "
     "POINT_DATA";
 
+/// Names of arrays are words: what would end one, and the sign itself, stands as % and two hexadecimal digits.
+std::string encoded_name(std::string_view name) {
+    constexpr const char* digits = "0123456789ABCDEF";
+    std::string out;
+    for (const char c : name) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte > 0x20 && byte < 0x7f && c != '%' && c != '"')
+            out += c;
+        else
+            out += {'%', digits[byte >> 4], digits[byte & 15]};
+    }
+    return out.empty() ? "%20" : out;
+}
+
+std::string decoded_name(std::string_view name) {
+    const auto digit = [](char c) {
+        return c >= '0' && c <= '9'   ? c - '0'
+               : c >= 'A' && c <= 'F' ? c - 'A' + 10
+               : c >= 'a' && c <= 'f' ? c - 'a' + 10
+                                      : -1;
+    };
+    std::string out;
+    for (std::size_t i = 0; i < name.size(); ++i)
+        if (name[i] == '%' && i + 2 < name.size() && digit(name[i + 1]) >= 0 && digit(name[i + 2]) >= 0) {
+            out += static_cast<char>(16 * digit(name[i + 1]) + digit(name[i + 2]));
+            i += 2;
+        } else {
+            out += name[i];
+        }
+    return out;
+}
+
 enum class CellKind { vertex, line, polygon, strip };
 
 class LegacyReader {
@@ -36,6 +68,9 @@ private:
     void attributes();
     void field();
     void metadata();
+    /// Keeps numbers of points as an array, passes over everything else.
+    void take(std::string_view name, const VtkType& type, std::size_t components, std::size_t tuples,
+              const char* what);
     VtkType next_type(const char* what);
 
     TextScanner scanner_;
@@ -45,7 +80,8 @@ private:
     bool have_points_ = false;
     long long highest_index_ = -1;
     std::size_t highest_index_at_ = 0;
-    std::size_t tuples_ = 0; ///< of the CELL_DATA or POINT_DATA being passed over
+    std::size_t tuples_ = 0;  ///< of the CELL_DATA or POINT_DATA being read
+    bool point_data_ = false; ///< which of the two
 };
 
 void LegacyReader::header() {
@@ -268,6 +304,20 @@ void LegacyReader::metadata() {
     }
 }
 
+void LegacyReader::take(std::string_view name, const VtkType& type, std::size_t components,
+                        std::size_t tuples, const char* what) {
+    if (!point_data_ || !have_points_ || type.size == 0 || components == 0 || tuples != points_.size()) {
+        values_.skip(type, components * tuples, what);
+        return;
+    }
+    values_.require(type, components * tuples, what);
+    NamedArray array{decoded_name(name), static_cast<int>(components), {}};
+    array.values.reserve(components * tuples);
+    for (std::size_t i = 0; i < components * tuples; ++i)
+        array.values.push_back(values_.next_double(type, what));
+    data_.point_arrays.push_back(std::move(array));
+}
+
 void LegacyReader::field() {
     scanner_.next_word(); // its name
     const std::size_t arrays = scanner_.next_count("the number of arrays");
@@ -289,7 +339,7 @@ void LegacyReader::field() {
         if (!values_.binary() && type.kind == VtkKind::text)
             scanner_.next_line();
         values_.end_header();
-        values_.skip(type, components * tuples, "an array of a field");
+        take(name, type, components, tuples, "an array of a field");
     }
 }
 
@@ -302,7 +352,7 @@ bool LegacyReader::attribute(const std::string& keyword) {
         values_.skip(type, components * tuples_, "an attribute");
     };
     if (keyword == "scalars") {
-        scanner_.next_word();
+        const std::string_view name = scanner_.next_word();
         const VtkType type = next_type("a data type");
         const std::string_view rest = trimmed(scanner_.next_line());
         long long components = 1;
@@ -314,7 +364,7 @@ bool LegacyReader::attribute(const std::string& keyword) {
             scanner_.next_word();
             values_.end_header();
         }
-        values_.skip(type, static_cast<std::size_t>(components) * tuples_, "scalars");
+        take(name, type, static_cast<std::size_t>(components), tuples_, "scalars");
     } else if (keyword == "color_scalars") {
         scanner_.next_word();
         const std::size_t components = scanner_.next_count("the number of components");
@@ -346,6 +396,7 @@ bool LegacyReader::attribute(const std::string& keyword) {
         metadata();
     } else if (keyword == "cell_data" || keyword == "point_data") {
         tuples_ = scanner_.next_count("the number of tuples");
+        point_data_ = keyword == "point_data";
     } else {
         return false;
     }
@@ -416,6 +467,17 @@ void write_vtk_legacy(std::ostream& out, const MeshData& data) {
                 put_big_endian(text, static_cast<std::uint64_t>(v), 4);
         }
         text += '\n';
+    }
+    if (!data.point_arrays.empty()) {
+        text += "POINT_DATA " + std::to_string(points.size()) + "\nFIELD FieldData " +
+                std::to_string(data.point_arrays.size()) + '\n';
+        for (const NamedArray& array : data.point_arrays) {
+            text += encoded_name(array.name) + ' ' + std::to_string(array.components) + ' ' +
+                    std::to_string(points.size()) + " double\n";
+            for (const double value : array.values)
+                put_big_endian(text, std::bit_cast<std::uint64_t>(value), 8);
+            text += '\n';
+        }
     }
     out.write(text.data(), static_cast<std::streamsize>(text.size()));
 }
