@@ -204,10 +204,11 @@ TEST_CASE("Outlines become areas in one step", "[document][areas]") {
     std::vector<std::string> notes;
     CHECK(actions::areas_from_outlines(document, 0, surfaces, notes) == 0);
     Scene scene = document.scene();
-    scene.muscles[0].outlines = {{AttachmentKind::origin,
-                                  "right",
-                                  {Vec3(20.5, 10.5, 2), Vec3(40.5, 10.5, 2), Vec3(40.5, 22.5, 2), Vec3(22.5, 22.5, 2)}},
-                                 {AttachmentKind::insertion, "elsewhere", {Vec3(0, 0, 90), Vec3(1, 0, 90)}}};
+    scene.muscles[0].outlines = {
+        {AttachmentKind::origin,
+         "right",
+         {Vec3(20.5, 10.5, 2), Vec3(40.5, 10.5, 2), Vec3(40.5, 22.5, 2), Vec3(22.5, 22.5, 2)}},
+        {AttachmentKind::insertion, "elsewhere", {Vec3(0, 0, 90), Vec3(1, 0, 90)}}};
     Document with(scene);
     CHECK(actions::areas_from_outlines(with, 0, surfaces, notes) == 1);
     CHECK(notes.size() == 1);

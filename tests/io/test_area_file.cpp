@@ -1,7 +1,10 @@
 #include "fascicle/anatomy/attached_vertices.hpp"
 #include "fascicle/base/error.hpp"
+#include "fascicle/geometry/brush.hpp"
 #include "fascicle/geometry/primitives.hpp"
 #include "fascicle/geometry/region_measure.hpp"
+#include "fascicle/geometry/region_ops.hpp"
+#include "fascicle/geometry/vertex_normals.hpp"
 #include "fascicle/io/area_file.hpp"
 #include "fascicle/io/attachment_file.hpp"
 #include "fascicle/io/files.hpp"
@@ -237,4 +240,35 @@ TEST_CASE("LHDL: areas from the digitised outlines", "[io][area_file][data]") {
     CHECK_THROWS_WITH(areas_from_outlines(scene, gluteus, surfaces, notes),
                       Contains("gluteus_maximus: origin on 'sacrum'") &&
                           Contains("from the bone on average"));
+}
+
+TEST_CASE("LHDL: the brush on the iliac fossa leaves the outer side of the blade alone",
+          "[io][area_file][data]") {
+    FASCICLE_NEED_DATA(data);
+    const MeshPtr mesh = shared(read_mesh_file(data / "lhdl/right_iliac.vtk").mesh);
+    const SurfaceGraph graph(mesh);
+    GeodesicSearch search(graph);
+    const Points normals = vertex_normals(mesh->positions, mesh->triangles);
+    const auto outlines = read_attachment_file(data / "lhdl/iliacus_attachments.csv", LengthUnit::millimetre);
+    const SurfaceRegion fossa =
+        area_from_outline(search, outlines[0].points, outline_area_rules(1), "iliacus");
+    Vec3 outward = Vec3::Zero();
+    fossa.for_each([&](int v) { outward += normals[std::size_t(v)]; });
+    Brush brush;
+    brush.radius = 8;
+    int near_back = 0;
+    const std::vector<int> inner = shrink(search, fossa, 12).vertices();
+    REQUIRE(inner.size() > 100);
+    for (std::size_t k = 0; k < inner.size(); k += inner.size() / 20) {
+        const Vec3& p = graph.position(inner[k]);
+        for (const int v : brush_vertices(search, foot(graph, p), brush)) {
+            CHECK(fossa.contains(v));
+            CHECK(normals[std::size_t(v)].dot(outward) > 0);
+        }
+        brush.reach = BrushReach::sphere;
+        for (const int v : brush_vertices(search, foot(graph, p), brush))
+            near_back += normals[std::size_t(v)].dot(outward) < 0 ? 1 : 0;
+        brush.reach = BrushReach::connected;
+    }
+    CHECK(near_back > 100); // the other side is within the radius in a straight line
 }
