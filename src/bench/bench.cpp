@@ -4,6 +4,7 @@
 #include "bench/bullet_body.hpp"
 #include "bench/frame_bench.hpp"
 #include "bench/machine_limits.hpp"
+#include "bench/paint_bench.hpp"
 #include "bench/prepare_bench.hpp"
 #include "bench/scaling_bench.hpp"
 #include "fascicle/io/disk_cache.hpp"
@@ -42,6 +43,8 @@ public:
                 report_.prepare =
                     measure_prepare(c.name, read, main_variant(), options_.threads, options_.runs, control_);
             });
+        if (wanted(options_.parts, "paint"))
+            report_.paint = measure_paint(options_.runs, options_.is_short, control_);
         if (wanted(options_.parts, "limits"))
             report_.limits = measure_limits(report_.machine, options_.threads, options_.runs,
                                             options_.is_short ? 0.001 : 1.0, control_);
@@ -187,7 +190,7 @@ private:
 } // namespace
 
 const std::vector<std::string>& part_names() {
-    static const std::vector<std::string> names{"frames", "scaling", "prepare", "limits"};
+    static const std::vector<std::string> names{"frames", "scaling", "prepare", "paint", "limits"};
     return names;
 }
 

@@ -88,6 +88,7 @@ struct Report {
     std::vector<FrameRow> frames;
     std::vector<ScalingRow> scaling;
     std::vector<PrepareRow> prepare;
+    std::vector<LimitRow> paint; ///< milliseconds of painting on a bone
     std::vector<LimitRow> limits;
     std::vector<Skip> skipped;
     std::vector<std::string> warnings;

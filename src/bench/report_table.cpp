@@ -121,9 +121,9 @@ std::string prepare_table(const Report& report) {
     return table(rows, 2) + stages;
 }
 
-std::string limits_table(const Report& report) {
-    std::vector<Cells> rows{{"machine limit", "unit", "threads", "median", "range"}};
-    for (const LimitRow& row : report.limits)
+std::string rows_table(const char* title, const std::vector<LimitRow>& list) {
+    std::vector<Cells> rows{{title, "unit", "threads", "median", "range"}};
+    for (const LimitRow& row : list)
         rows.push_back(
             {row.name, row.unit, std::to_string(row.threads), figure(row.value.median), range(row.value)});
     return table(rows, 2);
@@ -147,8 +147,10 @@ std::string report_table(const Report& report) {
         section(report.main_case + " subdivided\n", scaling_table(report));
     if (!report.prepare.empty())
         section("from files to solvers at rest\n", prepare_table(report));
+    if (!report.paint.empty())
+        section("", rows_table("painting", report.paint));
     if (!report.limits.empty())
-        section("", limits_table(report));
+        section("", rows_table("machine limit", report.limits));
     if (!report.skipped.empty() || !report.warnings.empty())
         text += "\n";
     for (const Skip& skip : report.skipped)

@@ -91,6 +91,8 @@ std::size_t own_bytes(const Scene& scene) {
             bytes += attachment.vertices.size() * sizeof(int);
         for (const AttachmentOutline& outline : muscle.outlines)
             bytes += outline.points.size() * sizeof(Vec3);
+        for (const AttachmentArea& area : muscle.areas)
+            bytes += sizeof(AttachmentArea) + area.vertices.bytes();
     }
     for (const BoneTrack& track : scene.timeline.bone_tracks)
         bytes += track.keys.size() * sizeof(PoseKey);

@@ -21,14 +21,16 @@ bool same_problem(const Scene& a, const Scene& b) {
             return p.bone == q.bone && p.kind == q.kind && p.vertices == q.vertices;
         };
         const auto same_outline = [](const AttachmentOutline& p, const AttachmentOutline& q) {
-            return p.bone == q.bone && p.kind == q.kind && p.points == q.points;
+            return p.bone == q.bone && p.kind == q.kind && p.points == q.points && p.head == q.head &&
+                   p.hole == q.hole;
         };
         return x.attach_automatically == y.attach_automatically && x.surface_fibres == y.surface_fibres &&
                x.fibre_template == y.fibre_template &&
                std::equal(x.attachments.begin(), x.attachments.end(), y.attachments.begin(),
                           y.attachments.end(), same_attachment) &&
                std::equal(x.outlines.begin(), x.outlines.end(), y.outlines.begin(), y.outlines.end(),
-                          same_outline);
+                          same_outline) &&
+               x.areas == y.areas;
     };
     const auto same_key = [](const PoseKey& p, const PoseKey& q) {
         return p.frame == q.frame && p.pose.rotation == q.pose.rotation &&

@@ -11,7 +11,7 @@ namespace fascicle {
 namespace {
 
 struct Columns {
-    int attachment = -1, bone = -1;
+    int attachment = -1, bone = -1, head = -1, loop = -1, hole = -1;
     int xyz[3] = {-1, -1, -1};
     double scale = 1.0; ///< of a value to scene units
 };
@@ -27,6 +27,9 @@ Columns find_columns(const CsvReader& csv, LengthUnit scene_unit) {
     Columns columns;
     columns.attachment = find("attachment");
     columns.bone = find("bone");
+    columns.head = find("head");
+    columns.loop = find("loop");
+    columns.hole = find("hole");
     const double scene_mm = millimetres_per_unit(scene_unit);
     const std::pair<const char*, double> units[] = {
         {"_mm", 1.0}, {"_cm", 10.0}, {"_m", 1000.0}, {"", scene_mm}};
@@ -55,6 +58,7 @@ std::vector<AttachmentOutline> read_attachments(std::string_view bytes, const st
     CsvReader csv(bytes, file);
     const Columns columns = find_columns(csv, scene_unit);
     std::vector<AttachmentOutline> outlines;
+    std::string loop_before;
     while (csv.next_row()) {
         const std::string kind_text = io::lower_case(csv.cell(columns.attachment));
         AttachmentKind kind = AttachmentKind::unknown;
@@ -69,8 +73,19 @@ std::vector<AttachmentOutline> read_attachments(std::string_view bytes, const st
         Vec3 p;
         for (int k = 0; k < 3; ++k)
             p[k] = columns.scale * csv.number(columns.xyz[k]);
-        if (outlines.empty() || outlines.back().kind != kind || outlines.back().bone != bone)
-            outlines.push_back({kind, bone, {}});
+        const std::string head = columns.head >= 0 ? csv.cell(columns.head) : std::string();
+        const std::string loop = columns.loop >= 0 ? csv.cell(columns.loop) : std::string();
+        bool hole = false;
+        if (columns.hole >= 0 && !csv.cell(columns.hole).empty()) {
+            const double flag = csv.number(columns.hole);
+            if (flag != 0.0 && flag != 1.0)
+                csv.fail("hole is " + io::shown(csv.cell(columns.hole)), "0 or 1");
+            hole = flag == 1.0;
+        }
+        if (outlines.empty() || outlines.back().kind != kind || outlines.back().bone != bone ||
+            outlines.back().head != head || outlines.back().hole != hole || loop != loop_before)
+            outlines.push_back({kind, bone, {}, head, hole});
+        loop_before = loop;
         outlines.back().points.push_back(p);
     }
     if (outlines.empty())

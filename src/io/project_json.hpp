@@ -33,6 +33,7 @@ private:
     Bone bone(const JsonFields& entry);
     Muscle muscle(const JsonFields& entry, const Scene& scene);
     std::vector<Attachment> attachments(const JsonFields& entry, const Muscle& muscle, const Scene& scene);
+    std::vector<AttachmentArea> areas(const JsonFields& entry, const Scene& scene);
     void timeline(const JsonFields& entry, Scene& scene);
     void parameters(const JsonFields& entry, Scene& scene);
 

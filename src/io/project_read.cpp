@@ -141,7 +141,8 @@ Muscle ProjectReader::muscle(const JsonFields& entry, const Scene& scene) {
         out.outline_files.push_back(one.outline_files[0]);
     }
     for (const JsonFields& item : entry.objects("outlines")) {
-        AttachmentOutline outline{kind_of(item), item.text("bone"), {}};
+        AttachmentOutline outline{
+            kind_of(item), item.text("bone"), {}, item.text("head"), item.flag("hole", false)};
         const auto points = item.json().find("points");
         if (points == item.json().end() || !points->is_array())
             item.fail("points", "missing", "a list of points");
@@ -162,6 +163,7 @@ Muscle ProjectReader::muscle(const JsonFields& entry, const Scene& scene) {
         compare(file, out.fibre_template_source);
     }
     out.attachments = attachments(entry, out, scene);
+    out.areas = areas(entry, scene);
     return out;
 }
 
@@ -189,6 +191,47 @@ std::vector<Attachment> ProjectReader::attachments(const JsonFields& entry, cons
         a.vertices.erase(std::unique(a.vertices.begin(), a.vertices.end()), a.vertices.end());
         out.push_back(std::move(a));
     }
+    return out;
+}
+
+std::vector<AttachmentArea> ProjectReader::areas(const JsonFields& entry, const Scene& scene) {
+    std::vector<AttachmentArea> out;
+    for (const JsonFields& item : entry.objects("areas")) {
+        AttachmentArea area;
+        area.kind = kind_of(item);
+        area.head = item.text("head");
+        const std::string bone_name = item.text("bone");
+        area.bone = scene.bone_index(bone_name);
+        if (area.bone < 0)
+            item.fail("bone", "there is no bone '" + bone_name + "'", "a bone of the project");
+        const int vertex_count = scene.bones[static_cast<std::size_t>(area.bone)].mesh->vertex_count();
+        const std::string what = entry.text("name") + ": " + area_text(area, bone_name);
+        if (item.integer("vertex_count", vertex_count) != vertex_count) {
+            // The bone's file was replaced; a message says so already, the area means nothing on the new mesh.
+            notes_->push_back(what + " is left out: it was made for another mesh");
+            continue;
+        }
+        area.vertices = SurfaceRegion(vertex_count);
+        const auto list = item.json().find("ranges");
+        if (list == item.json().end() || !list->is_array() || list->size() % 2 != 0)
+            item.fail("ranges", "missing, or not in pairs", "a list of first and last vertices");
+        long long before = -1;
+        for (std::size_t i = 0; i < list->size(); ++i) {
+            const Json& v = (*list)[i];
+            const bool is_first = i % 2 == 0;
+            if (!v.is_number_integer() || v.get<long long>() < before + (is_first ? 1 : 0) ||
+                v.get<long long>() >= vertex_count)
+                item.fail("ranges", "got a number that is no vertex, or not in order",
+                          "ascending, 0 to " + std::to_string(vertex_count - 1));
+            if (!is_first)
+                for (long long u = before; u <= v.get<long long>(); ++u)
+                    area.vertices.insert(static_cast<int>(u));
+            before = v.get<long long>();
+        }
+        out.push_back(std::move(area));
+    }
+    for (std::size_t i = 0; i < out.size(); ++i)
+        give_vertices(out, i); // a file made by hand may have them overlap
     return out;
 }
 

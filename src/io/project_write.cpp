@@ -55,6 +55,20 @@ Json thing_json(const Thing& thing, const Scene& scene, const fs::path& folder) 
     return json;
 }
 
+/// First and last vertex of every run of consecutive vertices, in one list.
+Json ranges_json(const SurfaceRegion& region) {
+    std::vector<int> ranges;
+    region.for_each([&](int v) {
+        if (!ranges.empty() && ranges.back() == v - 1) {
+            ranges.back() = v;
+        } else {
+            ranges.push_back(v);
+            ranges.push_back(v);
+        }
+    });
+    return ranges;
+}
+
 Json muscle_json(const Muscle& muscle, const Scene& scene, const fs::path& folder) {
     Json json = thing_json(muscle, scene, folder);
     json["attach_automatically"] = muscle.attach_automatically;
@@ -67,12 +81,26 @@ Json muscle_json(const Muscle& muscle, const Scene& scene, const fs::path& folde
                 points.push_back(vector_json(p));
             json["outlines"].push_back(
                 {{"kind", to_text(outline.kind)}, {"bone", outline.bone}, {"points", points}});
+            if (!outline.head.empty())
+                json["outlines"].back()["head"] = outline.head;
+            if (outline.hole)
+                json["outlines"].back()["hole"] = true;
         }
     for (const Attachment& a : muscle.attachments)
         json["attachments"].push_back(
             {{"kind", to_text(a.kind)},
              {"bone", a.bone < 0 ? std::string() : scene.bones.at(static_cast<std::size_t>(a.bone)).name},
              {"vertices", a.vertices}});
+    for (const AttachmentArea& area : muscle.areas) {
+        const bool known = area.bone >= 0 && area.bone < static_cast<int>(scene.bones.size());
+        Json entry{{"kind", to_text(area.kind)},
+                   {"bone", known ? scene.bones[static_cast<std::size_t>(area.bone)].name : std::string()}};
+        if (!area.head.empty())
+            entry["head"] = area.head;
+        entry["vertex_count"] = area.vertices.vertex_count();
+        entry["ranges"] = ranges_json(area.vertices);
+        json["areas"].push_back(std::move(entry));
+    }
     if (!muscle.surface_fibres_source.path.empty())
         json["surface_fibres"] = source_json(muscle.surface_fibres_source, folder);
     if (!muscle.fibre_template_source.path.empty())
@@ -145,7 +173,7 @@ Json project_json(const Scene& scene, const fs::path& file, const Json& previous
     for (const Muscle& muscle : scene.muscles) {
         Json entry = muscle_json(muscle, scene, folder);
         keep_unknown(entry, previous_entry(previous, "muscles", muscle.name),
-                     {"path", "hash", "size", "embedded", "outline_files", "outlines", "attachments",
+                     {"path", "hash", "size", "embedded", "outline_files", "outlines", "attachments", "areas",
                       "surface_fibres", "fibre_template"});
         json["muscles"].push_back(std::move(entry));
     }

@@ -20,7 +20,8 @@ struct MetricsEngine::Impl {
             std::optional<std::vector<Attachment>> fixed;
             if (attachments != nullptr && attachments->size() == scene->muscles.size())
                 fixed = (*attachments)[m];
-            else if (!muscle.attachments.empty() || (muscle.outlines.empty() && !muscle.attach_automatically))
+            else if (!muscle.attachments.empty() ||
+                     (!has_painted_areas(muscle) && muscle.outlines.empty() && !muscle.attach_automatically))
                 fixed = muscle.attachments;
             muscles.emplace_back(*scene, static_cast<int>(m), rest, bones, std::move(fixed), threads,
                                  m < fibres.size() ? fibres[m] : nullptr);

@@ -23,6 +23,11 @@ const char* to_text(LengthUnit unit) {
     return unit == LengthUnit::metre ? "m" : "mm";
 }
 
+bool has_painted_areas(const Muscle& muscle) {
+    return std::any_of(muscle.areas.begin(), muscle.areas.end(),
+                       [](const AttachmentArea& area) { return !area.vertices.empty(); });
+}
+
 int Scene::bone_index(std::string_view bone_name) const {
     return index_of(bones, bone_name);
 }

@@ -48,6 +48,8 @@ std::vector<AttachmentPatch> fibre_patches(const Scene& scene, const Muscle& mus
     }
     // An outline belongs to a patch when it is the only one of its kind, and so is the patch.
     for (AttachmentPatch& patch : patches) {
+        if (!muscle.attachments.empty() || has_painted_areas(muscle))
+            break; // the outlines are not what these came from
         const auto same = [&](const auto& other) { return other.kind == patch.kind; };
         if (std::count_if(patches.begin(), patches.end(), same) != 1 ||
             std::count_if(muscle.outlines.begin(), muscle.outlines.end(), same) != 1)

@@ -104,11 +104,17 @@ PreparedBones prepare_bones(const Scene& scene, bool grids, int threads, const J
     control.checkpoint("prepare", 0.1);
     for (std::size_t b = 0; b < count; ++b) {
         const bool moves = b < scene.timeline.bone_tracks.size() && scene.timeline.bone_tracks[b].moves();
-        bones.queries.push_back({[tree = &bones.trees[b]](const Vec3& p, double limit) {
-                                     return std::sqrt(
-                                         tree->closest(p, limit * (1.0 + 1e-12)).squared_distance);
-                                 },
-                                 moves});
+        bones.queries.push_back(
+            {[tree = &bones.trees[b]](const Vec3& p, double limit) {
+                 return std::sqrt(tree->closest(p, limit * (1.0 + 1e-12)).squared_distance);
+             },
+             moves,
+             [mesh = scene.bones[b].mesh,
+              graph = std::make_shared<std::unique_ptr<const SurfaceGraph>>()]() -> const SurfaceGraph& {
+                 if (*graph == nullptr) // muscles are prepared one after the other
+                     *graph = std::make_unique<const SurfaceGraph>(mesh);
+                 return **graph;
+             }});
     }
     lap.end("trees");
     if (!grids)
@@ -152,7 +158,7 @@ PreparedMuscle prepare_muscle(const Scene& scene, const Muscle& muscle, const So
         throw_error(muscle.name, "the surface encloses no volume", "a closed muscle surface facing outwards");
 
     PreparedMuscle prepared;
-    // The published program fixes what collides at the start; only outlines or explicit attachments replace that.
+    // The published program fixes what collides at the start; only areas, outlines or explicit attachments replace that.
     prepared.attachments =
         resolve_attachments(scene, muscle, topology, bones.queries, method.needs_grid, notes);
     std::vector<const DistanceGrid*> grids;

@@ -1,8 +1,10 @@
 #include "simulation/resolve_attachments.hpp"
 
+#include "fascicle/anatomy/attached_vertices.hpp"
+
 #include <algorithm>
 #include <cstdio>
-#include <limits>
+#include <optional>
 
 namespace fascicle {
 
@@ -29,26 +31,45 @@ void add_vertices(std::vector<Attachment>& attachments, std::vector<char>& taken
     std::sort(it->vertices.begin(), it->vertices.end());
 }
 
+void attach_by_areas(const Scene& scene, const Muscle& muscle, const std::vector<BoneQuery>& bones,
+                     std::vector<Attachment>& attachments, std::vector<char>& taken,
+                     std::vector<std::string>& notes) {
+    const double unit_mm = millimetres_per_unit(scene.unit);
+    for (const AttachmentArea& area : muscle.areas) {
+        const bool known = area.bone >= 0 && area.bone < static_cast<int>(scene.bones.size());
+        const Bone* bone = known ? &scene.bones[static_cast<std::size_t>(area.bone)] : nullptr;
+        const std::string what = muscle.name + ": " + area_text(area, known ? bone->name : "?");
+        if (!known || area.vertices.vertex_count() != bone->mesh->vertex_count()) {
+            notes.push_back(what + " is left out: it was made for another mesh");
+            continue;
+        }
+        if (area.vertices.empty())
+            continue; // not painted yet
+        const auto& surface = bones[static_cast<std::size_t>(area.bone)].surface;
+        std::optional<SurfaceGraph> own;
+        if (!surface)
+            own.emplace(bone->mesh);
+        GeodesicSearch search(surface ? surface() : *own);
+        const std::vector<AttachedVertex> attached =
+            attached_vertices(area.vertices, search, *muscle.mesh, attach_rules(unit_mm));
+        if (attached.empty())
+            notes.push_back(what + " reaches no vertex of the muscle");
+        add_vertices(attachments, taken, area.kind, area.bone, vertices_of(attached));
+    }
+}
+
 } // namespace
 
 OutlineBone find_outline_bone(const Scene& scene, const AttachmentOutline& outline,
                               const std::vector<BoneQuery>& bones) {
-    const double far = 1e6 / millimetres_per_unit(scene.unit);
-    const double on_surface = 3.0 / millimetres_per_unit(scene.unit);
-    OutlineBone best;
-    best.mean_distance = std::numeric_limits<double>::infinity();
-    for (std::size_t b = 0; b < bones.size() && !outline.points.empty(); ++b) {
-        double sum = 0;
-        for (const Vec3& p : outline.points)
-            sum += bones[b].distance(p, far);
-        const double mean = sum / double(outline.points.size());
-        const bool named = scene.bones[b].name == outline.bone;
-        if (named || mean < best.mean_distance)
-            best = {static_cast<int>(b), mean <= on_surface, mean};
-        if (named)
-            break;
+    std::vector<std::string> names;
+    std::vector<BoneDistance> distances;
+    for (std::size_t b = 0; b < bones.size(); ++b) {
+        names.push_back(scene.bones[b].name);
+        distances.push_back(bones[b].distance);
     }
-    return best;
+    const double unit_mm = millimetres_per_unit(scene.unit);
+    return find_outline_bone(outline, names, distances, 3.0 / unit_mm, 1e6 / unit_mm);
 }
 
 std::vector<Attachment> resolve_attachments(const Scene& scene, const Muscle& muscle,
@@ -59,7 +80,14 @@ std::vector<Attachment> resolve_attachments(const Scene& scene, const Muscle& mu
     const double unit_mm = millimetres_per_unit(scene.unit);
     std::vector<Attachment> attachments;
     std::vector<char> taken(muscle.mesh->positions.size(), 0);
+    if (has_painted_areas(muscle)) {
+        attach_by_areas(scene, muscle, bones, attachments, taken, notes);
+        std::erase_if(attachments, [](const Attachment& a) { return a.vertices.empty(); });
+        return attachments;
+    }
     for (const AttachmentOutline& outline : muscle.outlines) {
+        if (outline.hole)
+            continue; // an area knows holes, the rule for outlines does not
         const OutlineBone target = find_outline_bone(scene, outline, bones);
         const std::string what =
             muscle.name + ": " + to_text(outline.kind) + " outline on '" + outline.bone + "'";

@@ -60,6 +60,9 @@ class BenchTest(ProgramTest):
             self.check_spread(row["seconds"], 3)
             self.assertIn(row["cache"], ("cold", "warm"))
             self.assertLessEqual({"read", "solvers"}, set(row["stage_seconds"]))
+        self.assertEqual(len(report["paint"]), 4)
+        for row in report["paint"]:
+            self.check_spread(row["value"], 3)
         self.assertTrue(any("triad in memory" == row["name"] for row in report["limits"]))
         for row in report["limits"]:
             self.check_spread(row["value"], 3)
@@ -75,7 +78,7 @@ class BenchTest(ProgramTest):
     def test_parts_methods_and_threads_can_be_chosen(self):
         _, report = self.bench("--part", "frames", "--method", "classic,reference", "--threads", "1", "--frames", "1")
         self.assertEqual({row["method"] for row in report["frames"]}, {"classic", "reference"})
-        self.assertEqual((report["scaling"], report["prepare"], report["limits"]), ([], [], []))
+        self.assertEqual((report["scaling"], report["prepare"], report["paint"], report["limits"]), ([], [], [], []))
         self.assertEqual(report["cases"][0]["frames"], 1)
 
     def test_a_case_without_data_is_left_out_with_the_reason(self):

@@ -95,7 +95,8 @@ TEST_CASE("legacy VTK, BINARY: number types of points", "[io][vtk]") {
           18446744073709551615.0);
 }
 
-TEST_CASE("legacy VTK: attributes are passed over in both encodings", "[io][vtk]") {
+TEST_CASE("legacy VTK: numbers of points are kept, other attributes passed over, in both encodings",
+          "[io][vtk]") {
     std::string ones;
     for (int i = 0; i < 36; ++i)
         ones += "1 ";
@@ -112,6 +113,10 @@ TEST_CASE("legacy VTK: attributes are passed over in both encodings", "[io][vtk]
     CHECK(ascii.notes.empty());
     CHECK(ascii.mesh.triangles.size() == 1);
     CHECK(ascii.lines.lines.size() == 1);
+    REQUIRE(ascii.point_arrays.size() ==
+            1); // numbers of points; vectors, colours and data of cells are passed over
+    CHECK(ascii.point_arrays[0].name == "arr");
+    CHECK(ascii.point_arrays[0].values[2] == 3);
 
     const MeshData binary =
         read(head("BINARY") + "FIELD f 1\nnames 1 2 string\n" + std::string("\xc2hi\xc1x", 5) + "\n" +
@@ -125,6 +130,11 @@ TEST_CASE("legacy VTK: attributes are passed over in both encodings", "[io][vtk]
     CHECK(binary.notes.empty());
     CHECK(binary.mesh.triangles.size() == 1);
     CHECK(binary.lines.lines.size() == 1);
+    REQUIRE(binary.point_arrays.size() == 2);
+    CHECK(binary.point_arrays[0].name == "s");
+    CHECK(binary.point_arrays[0].values == std::vector<double>{1, 2, 3, 4});
+    CHECK(binary.point_arrays[1].components == 2);
+    CHECK(binary.point_arrays[1].values == std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8});
 }
 
 TEST_CASE("legacy VTK: attributes that make no sense are a note, the mesh is there", "[io][vtk]") {

@@ -15,6 +15,8 @@ struct AttachmentOutline {
     AttachmentKind kind = AttachmentKind::unknown;
     std::string bone; ///< name as in the file; need not be a bone of the scene
     Points points;
+    std::string head = {}; ///< of a muscle with several; empty: the only one
+    bool hole = false;     ///< what it encloses is taken out of the area instead of added
 };
 
 /// Muscle vertices fixed to one bone: they move rigidly with it.

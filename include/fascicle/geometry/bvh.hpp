@@ -25,6 +25,12 @@ struct LineHit {
     bool entering = false;
 };
 
+/// Where a ray meets a surface: origin + distance * direction. triangle == -1: nowhere.
+struct RayHit {
+    int triangle = -1;
+    double distance = std::numeric_limits<double>::infinity(); ///< in lengths of the direction
+};
+
 /// Keeps its own copy of the corners. Queries are const, allocate nothing and may run on several threads.
 class TriangleBvh {
 public:
@@ -54,6 +60,12 @@ public:
     /// lets a line through (edge functions as in Woop, Benthin, Wald 2013, "Watertight ray/triangle intersection");
     /// it may be found in both. A triangle that the line lies in is passed over. direction: any length, not zero.
     void line_hits(const Vec3& origin, const Vec3& direction, std::vector<LineHit>& hits) const;
+    /// First triangle that the ray meets with from < distance < to, from either side; of equally near ones the lowest.
+    /// Triangles seen edge-on (determinant below 1e-12 of the product of the lengths) are missed.
+    RayHit ray_hit(const Vec3& origin, const Vec3& direction, double from = 0.0,
+                   double to = std::numeric_limits<double>::infinity()) const;
+    /// Whether the ray meets any triangle with from < distance < to.
+    bool blocked(const Vec3& origin, const Vec3& direction, double from, double to) const;
 
     int triangle_count() const { return static_cast<int>(slot_of_.size()); }
     std::size_t bytes() const;
@@ -77,6 +89,7 @@ private:
     void search(const Vec3& p, double stop, Nearest& best) const;
     static void try_leaf(const Leaf& leaf, int number, const Vec3& p, Nearest& best);
     void fit_boxes();
+    RayHit trace(const Vec3& origin, const Vec3& direction, double from, double to, bool any) const;
 
     std::vector<Node> nodes_;
     std::vector<Leaf> leaves_;

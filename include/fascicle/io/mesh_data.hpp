@@ -22,7 +22,7 @@ struct NamedArray {
 struct MeshData {
     TriMesh mesh;
     Polylines lines;
-    std::vector<NamedArray> point_arrays; ///< one entry per point; VTP only, legacy VTK's are passed over
+    std::vector<NamedArray> point_arrays; ///< one entry per point; VTP, and of legacy VTK scalars and fields
     std::vector<NamedArray> line_arrays;  ///< one entry per line; VTP only
     std::vector<std::string> notes;       ///< what the reader passed over or assumed, a sentence each
 };

@@ -3,6 +3,7 @@
 // are shared and never change. Rest positions are those of the meshes.
 
 #include "fascicle/anatomy/attachment.hpp"
+#include "fascicle/anatomy/attachment_area.hpp"
 #include "fascicle/anatomy/fibre_template.hpp"
 #include "fascicle/base/param_table.hpp"
 #include "fascicle/geometry/tri_mesh.hpp"
@@ -37,8 +38,8 @@ struct Muscle {
     std::string name;
     MeshPtr mesh;
     MeshSource source;
-    /// Attachments in force: `attachments` when not empty, else made from `outlines`, else by distance to the
-    /// bones (when `attach_automatically`), else none: a free body.
+    /// Attachments in force: `attachments` when not empty, else what `areas` hold (when any has a vertex), else made from `outlines`, else by
+    /// distance to the bones (when `attach_automatically`), else none: a free body. The first that is there counts alone.
     std::vector<Attachment> attachments;
     std::vector<AttachmentOutline> outlines;
     std::vector<MeshSource> outline_files; ///< the files the outlines came from
@@ -47,7 +48,12 @@ struct Muscle {
     MeshSource surface_fibres_source;
     std::shared_ptr<const FibreTemplate> fibre_template; ///< the user's own; null: that of fibres.template
     MeshSource fibre_template_source;
+    /// Origins and insertions as vertices of bones. They do not overlap on a bone (give_vertices).
+    std::vector<AttachmentArea> areas;
 };
+
+/// Whether any area of the muscle has a vertex: areas that are not painted yet do not count.
+bool has_painted_areas(const Muscle& muscle);
 
 struct Scene {
     std::string name = "scene";

@@ -63,6 +63,9 @@ void remove_bone(Document& document, int bone) {
         std::erase_if(muscle.attachments, [&](const Attachment& a) { return a.bone == bone; });
         for (Attachment& attachment : muscle.attachments)
             attachment.bone -= attachment.bone > bone ? 1 : 0;
+        std::erase_if(muscle.areas, [&](const AttachmentArea& a) { return a.bone == bone; });
+        for (AttachmentArea& area : muscle.areas)
+            area.bone -= area.bone > bone ? 1 : 0;
     }
     document.commit("Remove bone " + name);
 }

@@ -3,9 +3,7 @@
 #include "fascicle/base/error.hpp"
 #include "io/formats/vtk_values.hpp"
 
-#include <bit>
 #include <cmath>
-#include <cstdint>
 
 namespace fascicle::io {
 namespace {
@@ -14,6 +12,25 @@ constexpr VtkType int32{VtkKind::integer, 4};
 constexpr const char* sections =
     "POINTS, POLYGONS, TRIANGLE_STRIPS, LINES, VERTICES, FIELD, METADATA, CELL_DATA or "
     "POINT_DATA";
+
+/// What write_vtk_legacy makes of a name, taken back: % and two hexadecimal digits are a byte.
+std::string decoded_name(std::string_view name) {
+    const auto digit = [](char c) {
+        return c >= '0' && c <= '9'   ? c - '0'
+               : c >= 'A' && c <= 'F' ? c - 'A' + 10
+               : c >= 'a' && c <= 'f' ? c - 'a' + 10
+                                      : -1;
+    };
+    std::string out;
+    for (std::size_t i = 0; i < name.size(); ++i)
+        if (name[i] == '%' && i + 2 < name.size() && digit(name[i + 1]) >= 0 && digit(name[i + 2]) >= 0) {
+            out += static_cast<char>(16 * digit(name[i + 1]) + digit(name[i + 2]));
+            i += 2;
+        } else {
+            out += name[i];
+        }
+    return out;
+}
 
 enum class CellKind { vertex, line, polygon, strip };
 
@@ -36,6 +53,9 @@ private:
     void attributes();
     void field();
     void metadata();
+    /// Keeps numbers of points as an array, passes over everything else.
+    void take(std::string_view name, const VtkType& type, std::size_t components, std::size_t tuples,
+              const char* what);
     VtkType next_type(const char* what);
 
     TextScanner scanner_;
@@ -45,7 +65,8 @@ private:
     bool have_points_ = false;
     long long highest_index_ = -1;
     std::size_t highest_index_at_ = 0;
-    std::size_t tuples_ = 0; ///< of the CELL_DATA or POINT_DATA being passed over
+    std::size_t tuples_ = 0;  ///< of the CELL_DATA or POINT_DATA being read
+    bool point_data_ = false; ///< which of the two
 };
 
 void LegacyReader::header() {
@@ -268,6 +289,20 @@ void LegacyReader::metadata() {
     }
 }
 
+void LegacyReader::take(std::string_view name, const VtkType& type, std::size_t components,
+                        std::size_t tuples, const char* what) {
+    if (!point_data_ || !have_points_ || type.size == 0 || components == 0 || tuples != points_.size()) {
+        values_.skip(type, components * tuples, what);
+        return;
+    }
+    values_.require(type, components * tuples, what);
+    NamedArray array{decoded_name(name), static_cast<int>(components), {}};
+    array.values.reserve(components * tuples);
+    for (std::size_t i = 0; i < components * tuples; ++i)
+        array.values.push_back(values_.next_double(type, what));
+    data_.point_arrays.push_back(std::move(array));
+}
+
 void LegacyReader::field() {
     scanner_.next_word(); // its name
     const std::size_t arrays = scanner_.next_count("the number of arrays");
@@ -289,7 +324,7 @@ void LegacyReader::field() {
         if (!values_.binary() && type.kind == VtkKind::text)
             scanner_.next_line();
         values_.end_header();
-        values_.skip(type, components * tuples, "an array of a field");
+        take(name, type, components, tuples, "an array of a field");
     }
 }
 
@@ -302,7 +337,7 @@ bool LegacyReader::attribute(const std::string& keyword) {
         values_.skip(type, components * tuples_, "an attribute");
     };
     if (keyword == "scalars") {
-        scanner_.next_word();
+        const std::string_view name = scanner_.next_word();
         const VtkType type = next_type("a data type");
         const std::string_view rest = trimmed(scanner_.next_line());
         long long components = 1;
@@ -314,7 +349,7 @@ bool LegacyReader::attribute(const std::string& keyword) {
             scanner_.next_word();
             values_.end_header();
         }
-        values_.skip(type, static_cast<std::size_t>(components) * tuples_, "scalars");
+        take(name, type, static_cast<std::size_t>(components), tuples_, "scalars");
     } else if (keyword == "color_scalars") {
         scanner_.next_word();
         const std::size_t components = scanner_.next_count("the number of components");
@@ -346,6 +381,7 @@ bool LegacyReader::attribute(const std::string& keyword) {
         metadata();
     } else if (keyword == "cell_data" || keyword == "point_data") {
         tuples_ = scanner_.next_count("the number of tuples");
+        point_data_ = keyword == "point_data";
     } else {
         return false;
     }
@@ -376,48 +412,10 @@ void LegacyReader::attributes() {
     }
 }
 
-void put_big_endian(std::string& out, std::uint64_t bits, int size) {
-    for (int i = size - 1; i >= 0; --i)
-        out += static_cast<char>((bits >> (8 * i)) & 0xff);
-}
-
 } // namespace
 
 MeshData read_vtk_legacy(std::string_view bytes, const std::string& file) {
     return LegacyReader(bytes, file).read();
-}
-
-void write_vtk_legacy(std::ostream& out, const MeshData& data) {
-    const Points& points = data.mesh.positions.empty() ? data.lines.points : data.mesh.positions;
-    std::string text = "# vtk DataFile Version 3.0\nwritten by fascicle\nBINARY\nDATASET POLYDATA\nPOINTS " +
-                       std::to_string(points.size()) + " double\n";
-    for (const Vec3& p : points)
-        for (int k = 0; k < 3; ++k)
-            put_big_endian(text, std::bit_cast<std::uint64_t>(p[k]), 8);
-    text += '\n';
-    if (!data.lines.lines.empty()) {
-        std::size_t size = 0;
-        for (const auto& line : data.lines.lines)
-            size += line.size() + 1;
-        text += "LINES " + std::to_string(data.lines.lines.size()) + ' ' + std::to_string(size) + '\n';
-        for (const auto& line : data.lines.lines) {
-            put_big_endian(text, line.size(), 4);
-            for (const int v : line)
-                put_big_endian(text, static_cast<std::uint64_t>(v), 4);
-        }
-        text += '\n';
-    }
-    if (!data.mesh.triangles.empty()) {
-        const std::size_t n = data.mesh.triangles.size();
-        text += "POLYGONS " + std::to_string(n) + ' ' + std::to_string(4 * n) + '\n';
-        for (const Tri& t : data.mesh.triangles) {
-            put_big_endian(text, 3, 4);
-            for (const int v : t)
-                put_big_endian(text, static_cast<std::uint64_t>(v), 4);
-        }
-        text += '\n';
-    }
-    out.write(text.data(), static_cast<std::streamsize>(text.size()));
 }
 
 bool looks_like_vtk_legacy(std::string_view bytes) {

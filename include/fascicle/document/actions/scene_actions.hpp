@@ -10,7 +10,7 @@ namespace fascicle::actions {
 int add_bone(Document& document, Bone bone, bool moving = false);
 int add_muscle(Document& document, Muscle muscle);
 
-/// The bone's track and the attachments to it go with it; other indices are adjusted.
+/// The bone's track, the attachments to it and the areas on it go with it; other indices are adjusted.
 void remove_bone(Document& document, int bone);
 void remove_muscle(Document& document, int muscle);
 
