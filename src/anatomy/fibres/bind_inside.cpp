@@ -92,8 +92,10 @@ private:
     double tiny_;
 };
 
-/// Triangles that the shortest chords end in, both ends of each, and the distance of the nearest end.
-double shortest_ends(const std::array<ChordFind, 13>& finds, HoldEnds& ends) {
+/// Triangles to watch: those that the shortest chords end in, both ends of each (the far side may be dented up to the
+/// point), then the nearest ends of all other chords. Returns the distance of the nearest end.
+double watched_ends(const std::array<ChordFind, 13>& finds, HoldEnds& ends) {
+    constexpr std::size_t whole_chords = 4;
     std::array<const Chord*, 13> chords{};
     std::size_t count = 0;
     for (const ChordFind& find : finds)
@@ -101,14 +103,23 @@ double shortest_ends(const std::array<ChordFind, 13>& finds, HoldEnds& ends) {
             chords[count++] = &*find.chord;
     std::sort(chords.begin(), chords.begin() + static_cast<std::ptrdiff_t>(count),
               [](const Chord* a, const Chord* b) { return a->length < b->length; });
+    std::array<const LineCrossing*, 26> others{};
+    std::size_t other_count = 0, filled = 0;
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < count; ++k) {
-        if (2 * k + 1 < ends.size()) {
-            ends[2 * k] = chords[k]->from.triangle;
-            ends[2 * k + 1] = chords[k]->to.triangle;
+    for (std::size_t k = 0; k < count; ++k)
+        for (const LineCrossing* end : {&chords[k]->from, &chords[k]->to}) {
+            nearest = std::min(nearest, std::abs(end->distance));
+            if (k < whole_chords)
+                ends[filled++] = end->triangle;
+            else
+                others[other_count++] = end;
         }
-        nearest = std::min({nearest, std::abs(chords[k]->from.distance), std::abs(chords[k]->to.distance)});
-    }
+    std::sort(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(other_count),
+              [](const LineCrossing* a, const LineCrossing* b) {
+                  return std::abs(a->distance) < std::abs(b->distance);
+              });
+    for (std::size_t k = 0; k < other_count && filled < ends.size(); ++k)
+        ends[filled++] = others[k]->triangle;
     return count > 0 ? nearest : 0.0;
 }
 
@@ -143,7 +154,7 @@ void RowMaker::make(const Vec3& p, const std::array<ChordFind, 13>& finds, Carri
                 if (const double weight = ratio * ratio * ratio * ratio; weight > 5e-3)
                     add(*find.chord, weight, row);
             }
-        bound.depth = shortest_ends(finds, bound.ends);
+        bound.depth = watched_ends(finds, bound.ends);
         return;
     }
     const Chord* nearest = nullptr;
