@@ -153,6 +153,19 @@ TEST_CASE("outline cut: open lines and outlines elsewhere leave the attached ver
     const FibreField far = solve_fibre_field(tube.problem);
     REQUIRE(far.notes.size() == 1);
     CHECK_THAT(far.notes[0], Catch::Contains("origin") && Catch::Contains("away from the muscle"));
+    // One that cuts, with one that does not bound anything after it.
+    for (const Vec3& p : {Vec3(6, 0, 0), Vec3(0, 6, 0), Vec3(-6, 0, 0), Vec3(0, -6, 0)})
+        tube.problem.patches[1].outline.push_back(p + Vec3(0, 0, 100));
+    tube.problem.patches[0].outline = {Vec3(9, 0, 1), Vec3(9.1, 0, 1), Vec3(9, 0.1, 1)};
+    const FibreField second = solve_fibre_field(tube.problem);
+    CHECK(second.notes.size() == 1);
+    std::swap(tube.problem.patches[0], tube.problem.patches[1]);
+    const FibreField first = solve_fibre_field(tube.problem);
+    CHECK(first.notes.size() == 1);
+    CHECK(first.surface.mesh.vertex_count() == second.surface.mesh.vertex_count());
+    CHECK(first.surface.mesh.vertex_count() > tube.mesh.vertex_count());
+    std::swap(tube.problem.patches[0], tube.problem.patches[1]);
+    tube.problem.patches[1].outline.clear();
     // An outline around the other end.
     tube.problem.patches[0].outline = {Vec3(10, 0, 90), Vec3(0, 10, 90), Vec3(-10, 0, 90), Vec3(0, -10, 90)};
     const FibreField wrong = solve_fibre_field(tube.problem);

@@ -73,6 +73,16 @@ private:
         row.add(triangle(chord.to.triangle), chord.to.weights, weight * chord.share);
     }
     const Tri& triangle(int t) const { return surface_.triangles[static_cast<std::size_t>(t)]; }
+    /// Whether p is clearly behind the plane of a triangle: where a chord only grazes it, rounding would decide.
+    bool behind(int t, const Vec3& p) const {
+        const Tri& tri = triangle(t);
+        const auto corner = [&](std::size_t k) {
+            return surface_.positions[static_cast<std::size_t>(tri[k])];
+        };
+        const Vec3 normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+        return (p - corner(0)).dot(normal) < -tiny_ * normal.norm();
+    }
+    double watched_ends(const std::array<ChordFind, 13>& finds, const Vec3& p, HoldEnds& ends) const;
     Vec3 at(const LineCrossing& c) const {
         Vec3 sum = Vec3::Zero();
         for (int k = 0; k < 3; ++k)
@@ -94,7 +104,7 @@ private:
 
 /// Triangles to watch: those that the shortest chords end in, both ends of each (the far side may be dented up to the
 /// point), then the nearest ends of all other chords. Returns the distance of the nearest end.
-double watched_ends(const std::array<ChordFind, 13>& finds, HoldEnds& ends) {
+double RowMaker::watched_ends(const std::array<ChordFind, 13>& finds, const Vec3& p, HoldEnds& ends) const {
     constexpr std::size_t whole_chords = 4;
     std::array<const Chord*, 13> chords{};
     std::size_t count = 0;
@@ -109,6 +119,8 @@ double watched_ends(const std::array<ChordFind, 13>& finds, HoldEnds& ends) {
     for (std::size_t k = 0; k < count; ++k)
         for (const LineCrossing* end : {&chords[k]->from, &chords[k]->to}) {
             nearest = std::min(nearest, std::abs(end->distance));
+            if (!behind(end->triangle, p))
+                continue;
             if (k < whole_chords)
                 ends[filled++] = end->triangle;
             else
@@ -154,7 +166,7 @@ void RowMaker::make(const Vec3& p, const std::array<ChordFind, 13>& finds, Carri
                 if (const double weight = ratio * ratio * ratio * ratio; weight > 5e-3)
                     add(*find.chord, weight, row);
             }
-        bound.depth = watched_ends(finds, bound.ends);
+        bound.depth = watched_ends(finds, p, bound.ends);
         return;
     }
     const Chord* nearest = nullptr;
