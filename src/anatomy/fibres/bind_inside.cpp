@@ -73,6 +73,16 @@ private:
         row.add(triangle(chord.to.triangle), chord.to.weights, weight * chord.share);
     }
     const Tri& triangle(int t) const { return surface_.triangles[static_cast<std::size_t>(t)]; }
+    /// Whether p is clearly behind the plane of a triangle: where a chord only grazes it, rounding would decide.
+    bool behind(int t, const Vec3& p) const {
+        const Tri& tri = triangle(t);
+        const auto corner = [&](std::size_t k) {
+            return surface_.positions[static_cast<std::size_t>(tri[k])];
+        };
+        const Vec3 normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+        return (p - corner(0)).dot(normal) < -tiny_ * normal.norm();
+    }
+    double watched_ends(const std::array<ChordFind, 13>& finds, const Vec3& p, HoldEnds& ends) const;
     Vec3 at(const LineCrossing& c) const {
         Vec3 sum = Vec3::Zero();
         for (int k = 0; k < 3; ++k)
@@ -92,8 +102,10 @@ private:
     double tiny_;
 };
 
-/// Triangles that the shortest chords end in, both ends of each, and the distance of the nearest end.
-double shortest_ends(const std::array<ChordFind, 13>& finds, HoldEnds& ends) {
+/// Triangles to watch: those that the shortest chords end in, both ends of each (the far side may be dented up to the
+/// point), then the nearest ends of all other chords. Returns the distance of the nearest end.
+double RowMaker::watched_ends(const std::array<ChordFind, 13>& finds, const Vec3& p, HoldEnds& ends) const {
+    constexpr std::size_t whole_chords = 4;
     std::array<const Chord*, 13> chords{};
     std::size_t count = 0;
     for (const ChordFind& find : finds)
@@ -101,14 +113,25 @@ double shortest_ends(const std::array<ChordFind, 13>& finds, HoldEnds& ends) {
             chords[count++] = &*find.chord;
     std::sort(chords.begin(), chords.begin() + static_cast<std::ptrdiff_t>(count),
               [](const Chord* a, const Chord* b) { return a->length < b->length; });
+    std::array<const LineCrossing*, 26> others{};
+    std::size_t other_count = 0, filled = 0;
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < count; ++k) {
-        if (2 * k + 1 < ends.size()) {
-            ends[2 * k] = chords[k]->from.triangle;
-            ends[2 * k + 1] = chords[k]->to.triangle;
+    for (std::size_t k = 0; k < count; ++k)
+        for (const LineCrossing* end : {&chords[k]->from, &chords[k]->to}) {
+            nearest = std::min(nearest, std::abs(end->distance));
+            if (!behind(end->triangle, p))
+                continue;
+            if (k < whole_chords)
+                ends[filled++] = end->triangle;
+            else
+                others[other_count++] = end;
         }
-        nearest = std::min({nearest, std::abs(chords[k]->from.distance), std::abs(chords[k]->to.distance)});
-    }
+    std::sort(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(other_count),
+              [](const LineCrossing* a, const LineCrossing* b) {
+                  return std::abs(a->distance) < std::abs(b->distance);
+              });
+    for (std::size_t k = 0; k < other_count && filled < ends.size(); ++k)
+        ends[filled++] = others[k]->triangle;
     return count > 0 ? nearest : 0.0;
 }
 
@@ -143,7 +166,7 @@ void RowMaker::make(const Vec3& p, const std::array<ChordFind, 13>& finds, Carri
                 if (const double weight = ratio * ratio * ratio * ratio; weight > 5e-3)
                     add(*find.chord, weight, row);
             }
-        bound.depth = shortest_ends(finds, bound.ends);
+        bound.depth = watched_ends(finds, p, bound.ends);
         return;
     }
     const Chord* nearest = nullptr;

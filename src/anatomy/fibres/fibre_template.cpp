@@ -66,7 +66,7 @@ void check_side(const std::vector<FibrePolygon>& side, const std::string& where,
             throw_error(polygon, std::to_string(side[k].points.size()) + " points",
                         "2 to " + std::to_string(most_points));
         for (const Vec2& p : side[k].points)
-            if (!(p.minCoeff() >= 0.0 && p.maxCoeff() <= 1.0))
+            if (!((p.array() >= 0.0).all() && (p.array() <= 1.0).all()))
                 throw_error(polygon, "point (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ")",
                             "coordinates from 0 to 1");
         if (!(side[k].weight > 0.0 && side[k].weight <= 1e6))

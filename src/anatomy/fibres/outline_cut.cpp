@@ -294,14 +294,15 @@ OutlineSide side_of_outline(const FibreProblem& problem, const AttachmentPatch& 
 
 CutSurface cut_surface(const FibreProblem& problem, std::vector<OutlineSide>& sides) {
     CutSurface surface{*problem.surface, std::vector<int>(problem.surface->positions.size(), -1)};
-    for (std::size_t s = 0; s < sides.size(); ++s) {
+    for (OutlineSide& side : sides)
+        if (!side.failure.empty())
+            side.offset.clear();
+    for (std::size_t s = 0; s < sides.size(); ++s)
         if (sides[s].failure.empty()) {
             EdgeCuts cuts(surface, sides, s);
             cuts.snap();
             cuts.cut();
-        } else
-            sides[s].offset.clear();
-    }
+        }
     for (std::size_t s = sides.size(); s-- > 0;) {
         if (sides[s].offset.empty())
             for (const int v : problem.patches[s].vertices)

@@ -59,7 +59,7 @@ Points seeds_on(const TriMesh& surface, const std::vector<Tri>& attached, std::s
     double area = 0;
     for (const Tri& t : attached)
         area += 0.5 * (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0)).norm();
-    const double wanted = area / (10.0 * double(count)); // of a place
+    const double wanted = area / ((count > 300 ? 4.0 : 10.0) * double(count)); // of a place
     Points places;
     for (const Tri& t : attached) {
         const Vec3 a = corner(t, 0), u = corner(t, 1) - a, v = corner(t, 2) - a;

@@ -20,7 +20,7 @@ std::string joined(std::string scope, std::string_view relative) {
         if (part == "..")
             scope.erase(std::min(scope.find_last_of('/'), scope.size()));
         else if (part != "." && !part.empty())
-            scope += "/" + std::string(part);
+            scope.append(1, '/').append(part);
         relative.remove_prefix(std::min(cut + 1, relative.size()));
     }
     return scope;
