@@ -36,20 +36,13 @@ std::vector<double> weights_by_distance(const Muscle& muscle, const std::vector<
 
 } // namespace
 
-std::vector<double> muscle_edge_softness(const Muscle& muscle, const MeshTopology& topology,
-                                         const std::vector<Attachment>& attachments,
-                                         const std::vector<BoneQuery>& bones, const FibreModel* fibres,
-                                         double exponent, bool harmonic) {
-    if (exponent == 0.0)
-        return {};
+Points muscle_edge_tangents(const Muscle& muscle, const MeshTopology& topology,
+                            const std::vector<Attachment>& attachments, const std::vector<BoneQuery>& bones,
+                            const FibreModel* fibres, bool harmonic) {
     if (muscle.surface_fibres)
-        return edge_softness(*muscle.mesh, topology,
-                             edge_tangents_from_fibres(*muscle.mesh, topology, *muscle.surface_fibres),
-                             exponent);
+        return edge_tangents_from_fibres(*muscle.mesh, topology, *muscle.surface_fibres);
     if (fibres != nullptr)
-        return edge_softness(*muscle.mesh, topology,
-                             edge_tangents_from_fibres(*muscle.mesh, topology, polylines_of(fibres->rest)),
-                             exponent);
+        return edge_tangents_from_fibres(*muscle.mesh, topology, polylines_of(fibres->rest));
     std::vector<bool> fixed(muscle.mesh->positions.size(), false);
     std::vector<double> values(fixed.size(), 0.0);
     bool low = false, high = false;
@@ -64,8 +57,20 @@ std::vector<double> muscle_edge_softness(const Muscle& muscle, const MeshTopolog
     if (!harmonic || !low || !high)
         return {};
     const std::vector<double> field = solve_harmonic(*muscle.mesh, topology, fixed, values, 1);
-    return edge_softness(*muscle.mesh, topology, edge_tangents_from_field(*muscle.mesh, topology, field),
-                         exponent);
+    return edge_tangents_from_field(*muscle.mesh, topology, field);
+}
+
+std::vector<double> edge_alignment(const TriMesh& mesh, const MeshTopology& topology,
+                                   const Points& tangents) {
+    std::vector<double> along;
+    for (std::size_t e = 0; e < tangents.size(); ++e) {
+        const Edge& edge = topology.edges()[e];
+        const Vec3 u = mesh.positions[static_cast<std::size_t>(edge.b)] -
+                       mesh.positions[static_cast<std::size_t>(edge.a)];
+        const double length = u.norm(), c = length > 0.0 ? u.dot(tangents[e]) / length : 0.0;
+        along.push_back(std::min(1.0, c * c));
+    }
+    return along;
 }
 
 std::vector<double> muscle_carry_weights(const Muscle& muscle, const MeshTopology& topology,

@@ -7,13 +7,15 @@
 
 namespace fascicle {
 
-/// k per edge for solver.anisotropy: tangents from the superficial fibres, else from the muscle's `fibres` (null: it has none), else
-/// from the harmonic field between origin (0) and
-/// insertion (1) when `harmonic` allows. Empty (isotropic) when there is neither, or the exponent is 0.
-std::vector<double> muscle_edge_softness(const Muscle& muscle, const MeshTopology& topology,
-                                         const std::vector<Attachment>& attachments,
-                                         const std::vector<BoneQuery>& bones, const FibreModel* fibres,
-                                         double exponent, bool harmonic);
+/// Unit tangents of the fibres at each edge, zero where none is known: from the superficial fibres, else from the muscle's `fibres`
+/// (null: it has none), else from the harmonic field between origin (0) and insertion (1) when `harmonic` allows. Empty when there
+/// is neither.
+Points muscle_edge_tangents(const Muscle& muscle, const MeshTopology& topology,
+                            const std::vector<Attachment>& attachments, const std::vector<BoneQuery>& bones,
+                            const FibreModel* fibres, bool harmonic);
+
+/// (u . v)^2 per edge, u its direction at rest, v its tangent; 0 where the tangent is zero. Empty without tangents.
+std::vector<double> edge_alignment(const TriMesh& mesh, const MeshTopology& topology, const Points& tangents);
 
 /// V x B shares of each bone's motion that a vertex is predicted to follow: harmonic between the attachments (1 on those of
 /// the bone, 0 on those of others), columns of bones at rest zero. A muscle without attachments lies loosely between the

@@ -1,5 +1,6 @@
 #include "fascicle/simulation/prepare.hpp"
 
+#include "fascicle/anatomy/anisotropy.hpp"
 #include "fascicle/base/parallel.hpp"
 #include "fascicle/geometry/bvh.hpp"
 #include "fascicle/geometry/grid_codec.hpp"
@@ -205,9 +206,13 @@ PreparedMuscle prepare_muscle(const Scene& scene, const Muscle& muscle, const So
     if (prepared.fibres != nullptr)
         for (const std::string& note : prepared.fibres->notes)
             notes.push_back(muscle.name + ": " + note);
-    problem.edge_softness =
-        muscle_edge_softness(muscle, topology, prepared.attachments, bones.queries, prepared.fibres.get(),
-                             scene.parameters.get("solver.anisotropy"), method.needs_grid);
+    const double anisotropy = scene.parameters.get("solver.anisotropy");
+    const Points tangents = muscle_edge_tangents(muscle, topology, prepared.attachments, bones.queries,
+                                                 prepared.fibres.get(), method.needs_grid);
+    if (anisotropy > 0.0 && !tangents.empty())
+        problem.edge_softness = edge_softness(*muscle.mesh, topology, tangents, anisotropy);
+    if (method.needs_grid && scene.parameters.get("solver.tone") > 0.0)
+        problem.edge_along = edge_alignment(*muscle.mesh, topology, tangents);
     if (problem.edge_softness.empty() && scene.parameters.get("solver.anisotropy") > 0.0)
         notes.push_back(muscle.name + ": no fibres and no pair of attachments, so it is isotropic");
     if (method.needs_grid)

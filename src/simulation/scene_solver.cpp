@@ -2,9 +2,11 @@
 
 #include "fascicle/base/assert.hpp"
 #include "fascicle/base/parallel.hpp"
+#include "fascicle/solver/active_strain.hpp"
 #include "simulation/attachment_guard.hpp"
 #include "simulation/clean_up.hpp"
 #include "simulation/muscle_contact.hpp"
+#include "simulation/muscle_slack.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -53,6 +55,9 @@ SceneSolver::SceneSolver(const Scene& scene, const PreparedScene& prepared, int 
             problems_.push_back(std::move(problem));
         }
     }
+    tone_ = method_->needs_grid ? scene.parameters.get("solver.tone") : 0.0;
+    for (std::size_t m = 0; m < prepared.muscles.size() && tone_ > 0.0; ++m)
+        slacks_.emplace_back(scene, prepared.muscles[m]);
     if (solvers_.size() > 1 && solvers_.front()->takes_planes())
         contact_ = std::make_unique<MuscleContact>(scene, prepared);
     for (const auto& solver : solvers_)
@@ -95,6 +100,9 @@ void SceneSolver::advance(std::span<const Pose> from, std::span<const Pose> to) 
 
 void SceneSolver::advance_part(std::span<const Pose> from, std::span<const Pose> to) {
     release_attachments(to);
+    for (std::size_t m = 0; m < slacks_.size(); ++m)
+        solvers_[m]->set_active_length(
+            std::clamp(1.0 + tone_ * (slacks_[m].length(to) - 1.0), least_active_length, 1.0));
     if (contact_ != nullptr) {
         const auto& planes = contact_->planes(positions_, from, to, threads_);
         for (std::size_t m = 0; m < solvers_.size(); ++m)

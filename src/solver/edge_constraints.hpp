@@ -26,7 +26,8 @@ make_edge_constraints(const SoftBodyProblem& problem, const Points& rest, const 
         // W = 2 for two free points of unit mass. The spring constant 1 / alpha is what k multiplies.
         const double compliance = compliance_from_stiffness(stiffness, 2.0) / softness;
         if (std::isfinite(compliance))
-            constraints.push_back({edge.a, edge.b, length, compliance});
+            constraints.push_back({edge.a, edge.b, length, compliance,
+                                   problem.edge_along.empty() ? 0.0 : problem.edge_along[e]});
     }
     return constraints;
 }

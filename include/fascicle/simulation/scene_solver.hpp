@@ -11,6 +11,7 @@ std::vector<Pose> bone_poses(const Scene& scene, int frame);
 
 class AttachmentGuard;
 class MuscleContact;
+class MuscleSlack;
 
 /// Parts that a frame is solved in, so that no bone moves further in one than the solver's linear steps bear: a turn of 0.15
 /// rad, and of any point of the box that `near` spans a tenth of its diagonal. From 1 to 1000; 1 for anything that a
@@ -49,6 +50,8 @@ private:
     const SolverMethod* method_;
     std::vector<SoftBodyProblem> problems_; ///< of methods that can be taken over; else empty
     std::vector<AttachmentGuard> guards_;
+    double tone_ = 0;
+    std::vector<MuscleSlack> slacks_; ///< empty without tone
     std::vector<std::vector<int>> released_;
     StepReport retired_;                     ///< what solvers reported that were replaced
     std::unique_ptr<MuscleContact> contact_; ///< null with one muscle, or when the method knows no planes

@@ -29,6 +29,8 @@ struct SoftBodyProblem {
     std::vector<int> body_of_vertex; ///< V: index of the solid a vertex is fixed to, -1 free
     /// Per MeshTopology edge: k = (1 - |u.v|)^a in [0, 1]; empty: 1 everywhere.
     std::vector<double> edge_softness;
+    /// Per MeshTopology edge: (u.v)^2 in [0, 1] of its direction and the fibres', for set_active_length(); empty: there are none.
+    std::vector<double> edge_along;
     std::vector<SolidBody> solids; ///< B solids
     /// V x B, row-major: share of solid b's motion that a free vertex is predicted to follow; empty: none.
     /// A predictor only: constraints start from the carried positions, velocities do not contain it.
@@ -70,6 +72,9 @@ public:
     virtual bool takes_planes() const { return false; }
     /// Planes for the next frame only, ascending by vertex.
     virtual void set_planes(std::span<const PointPlane> /*planes*/) {}
+    /// From the next frame on the fibres are this long without stress, as a share of rest (active_strain.hpp), in (0, 1]; 1 at the
+    /// start. Nothing happens without SoftBodyProblem::edge_along, or with a method that knows no such thing.
+    virtual void set_active_length(double /*share*/) {}
     /// V positions. Vertices fixed to a solid are exactly where its pose puts them.
     virtual const Points& positions() const = 0;
     virtual const StepReport& report() const = 0;

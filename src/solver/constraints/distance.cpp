@@ -1,5 +1,7 @@
 #include "solver/constraints/distance.hpp"
 
+#include "fascicle/solver/active_strain.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,6 +18,14 @@ DistanceValue distance_value(const Vec3& xa, const Vec3& xb, double rest) {
 void DistanceConstraints::add(const DistanceConstraint& constraint) {
     if (std::isfinite(constraint.compliance))
         items_.push_back(constraint);
+}
+
+void DistanceConstraints::set_active_length(double share) {
+    if (rest_.empty())
+        for (const DistanceConstraint& c : items_)
+            rest_.push_back(c.rest);
+    for (std::size_t i = 0; i < items_.size(); ++i)
+        items_[i].rest = rest_[i] * active_edge_scale(items_[i].along, share);
 }
 
 void DistanceConstraints::project(Points& x, const std::vector<double>& inverse_mass, double substep_s,

@@ -12,6 +12,7 @@ struct DistanceConstraint {
     int b = 0;
     double rest = 0;       ///< d, scene units
     double compliance = 0; ///< alpha, s^2 (unit masses); 0 rigid, infinite: dropped by add()
+    double along = 0;      ///< (u.v)^2 of its direction and the fibres', see active_strain.hpp
 };
 
 /// Value and gradients: grad_a = n, grad_b = -n with n = (xa - xb) / |xa - xb|.
@@ -26,7 +27,7 @@ class DistanceConstraints {
 public:
     void add(const DistanceConstraint& constraint);
     std::size_t size() const { return items_.size(); }
-    std::size_t bytes() const { return bytes_of(items_); }
+    std::size_t bytes() const { return bytes_of(items_, rest_); }
 
     const std::vector<DistanceConstraint>& items() const { return items_; }
 
@@ -37,8 +38,12 @@ public:
     void project(Points& x, const std::vector<double>& inverse_mass, double substep_s,
                  double kappa = 1.0) const;
 
+    /// Rest lengths for fibres of this share of their length: those added, times active_edge_scale(along, share).
+    void set_active_length(double share);
+
 private:
     std::vector<DistanceConstraint> items_;
+    std::vector<double> rest_; ///< as added; empty until it is needed
 };
 
 } // namespace fascicle::solver

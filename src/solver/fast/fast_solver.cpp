@@ -52,6 +52,7 @@ public:
     void set_planes(std::span<const PointPlane> planes) override { contact_.set_planes(planes); }
     Points last_step() const override;
     bool set_state(const Points& positions, const Points& last_step) override;
+    void set_active_length(double share) override;
     std::size_t state_bytes() const override;
 
 private:
@@ -126,6 +127,7 @@ FastSolver::FastSolver(const SoftBodyProblem& problem, const MeshTopology& topol
     // Only the arrays made of them are needed from here on.
     plan_.rest = {};
     problem_.edge_softness = {};
+    problem_.edge_along = {};
     problem_.carry_weights = {};
 }
 
@@ -416,10 +418,20 @@ void FastSolver::run_frame(int thread, int threads, std::span<const Pose> to) {
 }
 
 std::size_t FastSolver::state_bytes() const {
-    return bytes_of(records_, groups_, slack_, carry_, fixed_, positions_, plan_.edges, plan_.hinges,
-                    plan_.rings, plan_.record_of_vertex, vertex_of_record_, plan_.inverse_mass,
+    return bytes_of(records_, groups_, slack_, carry_, fixed_, positions_, plan_.edges, plan_.active,
+                    plan_.hinges, plan_.rings, plan_.record_of_vertex, vertex_of_record_, plan_.inverse_mass,
                     plan_.ring_base, plan_.ring_first, plan_.ring_length, problem_.body_of_vertex) +
            coarse_.bytes() + contact_.bytes();
+}
+
+void FastSolver::set_active_length(double share) {
+    const auto s = static_cast<float>(share);
+    const float along = s * s, across = 1.0f / s; // active_edge_scale() in floats
+    for (std::size_t e = 0; e < plan_.active.size(); ++e)
+        for (std::size_t i = 0; i < packet; ++i) {
+            const float c = plan_.active[e].along[i];
+            plan_.edges[e].rest[i] = plan_.active[e].rest[i] * std::sqrt(along * c + across * (1.0f - c));
+        }
 }
 
 Points FastSolver::last_step() const {

@@ -22,6 +22,12 @@ struct alignas(64) EdgePacket {
     std::uint16_t p[2][packet];
 };
 
+/// What an EdgePacket's rest lengths are made from when fibres shorten by themselves.
+struct alignas(64) ActivePacket {
+    float rest[packet];  ///< of fibres at their rest length
+    float along[packet]; ///< (u.v)^2
+};
+
 /// Sixteen dihedral constraints with no vertex in common; vertex roles as in Dihedral.
 struct alignas(64) HingePacket {
     float cosine[packet], sine[packet]; ///< of the rest angle

@@ -111,9 +111,12 @@ private:
             ConstraintSet set{layout_.first_record[block], plan_.edges.size(), 0, plan_.hinges.size(), 0};
             if (!pack(edge_sets[s].corners, 2, movable, rows))
                 return false;
-            for (std::size_t r = 0; r < rows.size(); r += packet)
-                plan_.edges.push_back(
-                    edge_packet(edges, edge_sets[s].numbers, {rows.data() + r, packet}, set, per_h2));
+            for (std::size_t r = 0; r < rows.size(); r += packet) {
+                const std::span<const int> row{rows.data() + r, packet};
+                plan_.edges.push_back(edge_packet(edges, edge_sets[s].numbers, row, set, per_h2));
+                if (!problem_.edge_along.empty())
+                    plan_.active.push_back(active_packet(edges, edge_sets[s].numbers, row));
+            }
             if (!pack(hinge_sets[s].corners, 4, movable, rows))
                 return false;
             for (std::size_t r = 0; r < rows.size(); r += packet)
@@ -161,6 +164,20 @@ private:
                 (std::max(e.compliance, compliance_from_stiffness(stiffest_coarse, 2.0)) * per_h2));
             p.p[0][i] = index(e.a, set);
             p.p[1][i] = index(e.b, set);
+        }
+        return p;
+    }
+
+    static ActivePacket active_packet(const std::vector<DistanceConstraint>& all,
+                                      const std::vector<int>& numbers, std::span<const int> row) {
+        ActivePacket p{};
+        for (std::size_t i = 0; i < packet; ++i) {
+            if (row[i] < 0)
+                continue;
+            const DistanceConstraint& e =
+                all[static_cast<std::size_t>(numbers[static_cast<std::size_t>(row[i])])];
+            p.rest[i] = static_cast<float>(e.rest);
+            p.along[i] = static_cast<float>(e.along);
         }
         return p;
     }

@@ -31,6 +31,7 @@ struct Plan {
     std::vector<GroupRange> chunks; ///< sums are formed over these
     std::vector<ConstraintSet> interiors, interfaces;
     std::vector<EdgePacket> edges;
+    std::vector<ActivePacket> active; ///< by edge packet; empty when the edges know no fibres
     std::vector<HingePacket> hinges;
     std::vector<std::uint16_t> rings;
     std::vector<std::uint32_t> ring_base, ring_first, ring_length; ///< by group

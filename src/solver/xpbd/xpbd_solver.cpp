@@ -36,6 +36,10 @@ public:
     const std::vector<int>& body_of_vertex() const override { return problem_.body_of_vertex; }
     Points last_step() const override;
     bool set_state(const Points& positions, const Points& last_step) override;
+    void set_active_length(double share) override {
+        if (!problem_.edge_along.empty())
+            edges_.set_active_length(share);
+    }
     std::size_t state_bytes() const override;
 
 private:
