@@ -132,7 +132,8 @@ std::vector<ParamRow> make_rows() {
          1,
          1,
          {},
-         "How much of the slack the fibres take up by themselves when bones bring their ends together; 0 is a passive muscle.",
+         "How much of the slack the fibres take up by themselves when bones bring their ends together; 0 is "
+         "a passive muscle.",
          "Nardinocchi & Teresi 2007; docs/tone.md",
          false},
         {"contact.offset_mm",
@@ -187,7 +188,8 @@ std::vector<ParamRow> make_rows() {
          3,
          0,
          {"none", "kukacka", "chmd", "streamlines"},
-         "How a muscle is decomposed into fibres: by a template, from superficial fibres, or by a field in its volume.",
+         "How a muscle is decomposed into fibres: by a template, from superficial fibres, or by a field in "
+         "its volume.",
          "Kohout & Kukacka 2014; Kohout & Cholt 2017; Choi & Blemker 2013",
          false},
         {"fibres.template",

@@ -113,6 +113,7 @@ TEST_CASE("muscle contact: without it the two would be deep in each other", "[si
 TEST_CASE("muscle contact: an overlap of a millimetre at rest is kept and does not explode",
           "[simulation][contact]") {
     Scene scene = two_balls(-1.0, "fast");
+    scene.parameters.set("solver.tone", 0); // balls that thicken by themselves would press each other twice
     const double at_rest = [&] {
         Frame rest;
         for (const Muscle& muscle : scene.muscles)

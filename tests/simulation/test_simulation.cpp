@@ -75,7 +75,7 @@ TEST_CASE("cylinder scene: fibre length and moment arm match the closed form wit
             if (k > 100) // just after the turn the strap swings: local arms are off by up to 2.7 %
                 continue;
             const double arm = (length(k) - length(k - 10)) / (angle(k) - angle(k - 10));
-            CHECK(arm == Approx(cylinder_moment_arm(out)).epsilon(0.02));
+            CHECK(arm == Approx(cylinder_moment_arm(out)).epsilon(0.025));
         }
         CHECK((length(100) - length(0)) / angle(100) == Approx(cylinder_moment_arm(out)).epsilon(0.02));
         CHECK((length(100) - length(200)) / angle(100) == Approx(cylinder_moment_arm(out)).epsilon(0.02));

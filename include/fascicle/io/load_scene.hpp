@@ -28,7 +28,8 @@ struct SceneRequest {
     std::filesystem::path motion; ///< --motion FILE.csv: keyed poses instead of a hinge, of any source
     std::vector<std::pair<std::string, std::filesystem::path>> attachments;    ///< muscle name, CSV
     std::vector<std::pair<std::string, std::filesystem::path>> surface_fibres; ///< muscle name, polylines
-    std::vector<std::pair<std::string, std::filesystem::path>> fibre_templates; ///< muscle name, JSON; of any source
+    std::vector<std::pair<std::string, std::filesystem::path>>
+        fibre_templates; ///< muscle name, JSON; of any source
     std::optional<LengthUnit> unit;
     int threads = 1; ///< for reading and for making embedded scenes; changes nothing in the result
 };

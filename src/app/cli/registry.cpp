@@ -16,7 +16,8 @@ const std::vector<Command>& commands() {
         {"fibres", "Decompose muscles into fibres at rest",
          "  fascicle fibres --scene hip --out out/fibres\n"
          "  fascicle fibres --muscle iliacus.vtk --bone pelvis.obj --moving-bone femur.vtk\n"
-         "      --attachments iliacus=outlines.csv --set fibres.method=kukacka --set fibres.count=64 --out out/fibres",
+         "      --attachments iliacus=outlines.csv --set fibres.method=kukacka --set fibres.count=64 --out "
+         "out/fibres",
          add_fibres},
 #ifdef FASCICLE_HAS_VIEW
         {"render", "Draw one frame of a run or of a source as a picture",

@@ -58,7 +58,8 @@ void add_source_options(CLI::App& app, SourceOptions& options) {
         into(r.attachments, "--attachments"));
     add(app, options, "--surface-fibres", "MUSCLE=FILE", "Superficial fibres as polylines", true,
         into(r.surface_fibres, "--surface-fibres"));
-    add(app, options, "--fibre-template", "MUSCLE=FILE.json", "A template of your own, instead of fibres.template", true,
+    add(app, options, "--fibre-template", "MUSCLE=FILE.json",
+        "A template of your own, instead of fibres.template", true,
         into(r.fibre_templates, "--fibre-template"));
     add(app, options, "--units", "mm|m", "Length unit of the files; told from their size otherwise", false,
         [&r](const std::string& text) { r.unit = parse_unit(text); });

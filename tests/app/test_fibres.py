@@ -1,0 +1,77 @@
+"""fascicle fibres, and fibres in fascicle simulate."""
+import csv
+import json
+import unittest
+
+from program import ProgramTest, file_hashes
+
+
+class FibresTest(ProgramTest):
+    def rows(self, file):
+        with open(file, newline="") as lines:
+            return list(csv.DictReader(lines))
+
+    def short_motion(self):
+        """Three frames of the two-headed scene's lever."""
+        path = self.folder / "motion.csv"
+        path.write_text("frame,bone,cx,cy,cz,ax,ay,az,angle_deg\n3,lever,0,0,0,1,0,0,0\n")
+        return path
+
+    def test_rest_fibres_are_written(self):
+        out = self.folder / "out"
+        text = self.check_done("fibres", "--scene", "cylinder", "--set", "fibres.count=20", "--set", "fibres.segments=12",
+                               "--out", out)
+        self.assertIn("kukacka", text)
+        self.assertEqual(set(file_hashes(out)), {"fibres.csv", "architecture.csv", "fibres/strap.0000.vtp"})
+        rows = self.rows(out / "fibres.csv")
+        self.assertEqual(len(rows), 20)
+        self.assertEqual([int(row["fibre"]) for row in rows], list(range(20)))
+        self.assertTrue(all(100 < float(row["length_mm"]) < 200 for row in rows))
+        summary = self.rows(out / "architecture.csv")[0]
+        self.assertEqual((summary["muscle"], summary["method"], summary["fibres"], summary["segments"]),
+                         ("strap", "kukacka", "20", "12"))
+        self.assertGreater(float(summary["pcsa_cm2"]), 0)
+
+    def test_any_number_of_threads_gives_the_same_fibres(self):
+        for method in ("kukacka", "streamlines", "chmd"):
+            hashes = []
+            for threads in ("1", "2"):
+                out = self.folder / f"{method}{threads}"
+                self.check_done("fibres", "--scene", "two-heads", "--set", f"fibres.method={method}", "--set",
+                                "fibres.count=30", "--threads", threads, "--quiet", "--out", out)
+                hashes.append(file_hashes(out / "fibres"))
+            self.assertEqual(hashes[0], hashes[1], method)
+
+    def test_simulate_carries_fibres(self):
+        out = self.folder / "run"
+        options = ["simulate", "--scene", "two-heads", "--motion", self.short_motion(), "--export", "vtp", "--quiet",
+                   "--out", out]
+        self.check_done(*options, "--set", "fibres.method=streamlines", "--set", "fibres.count=16")
+        rows = self.rows(out / "fibres.csv")
+        self.assertEqual(len(rows), 16 * 4)
+        self.assertEqual({"frame", "muscle", "fibre", "length_mm", "moment_arm_mm"} - set(rows[0]), set())
+        self.assertEqual(len(list((out / "fibres").glob("*.vtp"))), 4)
+        metrics = self.rows(out / "metrics.csv")
+        self.assertAlmostEqual(float(metrics[0]["fibre_strain_mean"]), 0, places=12)
+        summary = json.loads((out / "summary.json").read_text())
+        self.assertEqual(summary["muscles"][0]["fibres"]["count"], 16)
+        # The next run without fibres leaves none behind.
+        self.check_done(*options)
+        self.assertFalse((out / "fibres.csv").exists())
+        self.assertNotIn("fibre_strain_mean", self.rows(out / "metrics.csv")[0])
+
+    def test_what_cannot_be_decomposed_says_why(self):
+        out = self.folder / "out"
+        command = ("fibres", "--out", out)
+        self.check_error(1, ["box"], *command, "--scene", "squish-box")
+        self.check_error(1, ["superficial fibres"], *command, "--scene", "hip", "--set", "fibres.method=chmd")
+        self.check_error(2, ["fibres.count"], *command, "--scene", "hip", "--set", "fibres.count=0")
+        self.check_error(2, ["nobody"], *command, "--scene", "hip", "--fibre-template", "nobody=x.json")
+        bad = self.folder / "bad.json"
+        bad.write_text('{"key": "x", "front": []}')
+        self.check_error(1, ["bad.json"], *command, "--scene", "cylinder", "--fibre-template", f"strap={bad}")
+        self.assertFalse(out.exists() and any(out.iterdir()))
+
+
+if __name__ == "__main__":
+    unittest.main()
