@@ -50,6 +50,8 @@ TEST_CASE("The worker has every number that the command line writes, of attachme
         const auto expected = engine.measure(*recording->frame(k));
         for (std::size_t r = 0; r < metric_table().size(); ++r) {
             INFO("frame " << k << ", " << metric_table()[r].key);
+            if (metric_table()[r].of_fibres)
+                continue; // there are none
             CHECK(std::isfinite(expected[0][r]));
             CHECK(worker.current().rows[std::size_t(k)][0][r] == expected[0][r]);
         }

@@ -20,6 +20,7 @@ struct PlotRow {
     const char* high_key;
     std::optional<double> reference;
     double least_span;
+    bool of_fibres = false; ///< shown where a run has fibres
 };
 
 const std::vector<PlotRow>& plot_rows() {
@@ -29,6 +30,10 @@ const std::vector<PlotRow>& plot_rows() {
          "edge_extension_p90", 1.0, 0.01},
         {"plot/dihedral_change", "dihedral_change_mean_rad", "Mean dihedral change", nullptr, nullptr,
          std::nullopt, 0.01},
+        {"plot/fibre_length", "fibre_length_mean_mm", "Fibre length", "fibre_length_p5_mm",
+         "fibre_length_p95_mm", std::nullopt, 1.0, true},
+        {"plot/moment_arm", "moment_arm_mean_mm", "Moment arm", "moment_arm_p5_mm", "moment_arm_p95_mm", 0.0,
+         1.0, true},
     };
     return rows;
 }
@@ -45,10 +50,26 @@ std::vector<double> series(const MetricValues& values, std::size_t muscle, const
     return result;
 }
 
+/// Whether the values shown, or those of an earlier run, are of fibres.
+bool has_fibres(const EditorContext& context) {
+    const int row = metric_index("fibre_length_mean_mm");
+    const auto any = [&](const MetricValues& values) {
+        return !values.rows.empty() &&
+               std::any_of(values.rows[0].begin(), values.rows[0].end(),
+                           [&](const std::vector<double>& muscle) {
+                               return std::isfinite(muscle[static_cast<std::size_t>(row)]);
+                           });
+    };
+    return any(context.metrics.current()) ||
+           std::any_of(context.metrics.earlier().begin(), context.metrics.earlier().end(), any);
+}
+
 class Plots : public Panel {
 public:
     void draw(EditorContext& context, const Rect& area) override {
-        const std::vector<PlotRow>& rows = plot_rows();
+        std::vector<PlotRow> rows = plot_rows();
+        if (!has_fibres(context))
+            std::erase_if(rows, [](const PlotRow& row) { return row.of_fibres; });
         follow_timeline(context);
         const int columns =
             std::clamp(static_cast<int>(area.width() / context.px(225)), 1, static_cast<int>(rows.size()));
@@ -120,8 +141,12 @@ private:
         PlotInput input;
         input.title = row.title;
         input.unit = metric.unit;
-        input.tooltip = metric.meaning + (row.low_key != nullptr ? "\nBand: 10th to 90th percentile." : "") +
-                        "\nClick moves the playhead, wheel zooms, Ctrl+drag pans, double-click shows all.";
+        input.tooltip =
+            metric.meaning +
+            (row.low_key != nullptr ? (row.of_fibres ? "\nBand: 5th to 95th percentile of the fibres."
+                                                     : "\nBand: 10th to 90th percentile.")
+                                    : "") +
+            "\nClick moves the playhead, wheel zooms, Ctrl+drag pans, double-click shows all.";
         input.x_label = axis_label(state.ruler);
         input.x_text = [&](double frame) { return frame_text(scene, state.ruler, frame); };
         input.playhead = context.playhead();
