@@ -2,6 +2,7 @@
 
 #include "fascicle/base/error.hpp"
 #include "fascicle/io/csv.hpp"
+#include "fascicle/io/fibre_files.hpp"
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/mesh_file.hpp"
 #include "io/formats/vtp.hpp"
@@ -148,6 +149,32 @@ void RunReader::read_angles() {
     }
 }
 
+namespace {
+
+/// Fibres of a run's rest, bound to the muscle's surface there; null when there is no such file.
+FibreModelPtr read_fibres(const fs::path& path, const TriMesh& surface) {
+    std::error_code ignored;
+    if (!fs::exists(path, ignored))
+        return nullptr;
+    const MeshData data = read_vtp_file(path);
+    auto model = std::make_shared<FibreModel>();
+    FibreSet& rest = model->rest;
+    rest.count = static_cast<int>(data.lines.lines.size());
+    rest.segments = rest.count > 0 ? static_cast<int>(data.lines.lines[0].size()) - 1 : 1;
+    for (const std::vector<int>& line : data.lines.lines) {
+        if (rest.segments < 1 || line.size() != rest.points_per_fibre())
+            throw_error(path.string(), "fibres of different numbers of points",
+                        "the same number on all of them");
+        for (const int p : line)
+            rest.points.push_back(data.lines.points.at(static_cast<std::size_t>(p)));
+    }
+    const MeshTopology topology(surface.vertex_count(), surface.triangles);
+    model->carrier = bind_inside(surface, topology, rest.points);
+    return model;
+}
+
+} // namespace
+
 void RunReader::read_rest() {
     auto scene = std::make_shared<Scene>(*scene_);
     for (Muscle& muscle : scene->muscles) {
@@ -183,6 +210,7 @@ void RunReader::read_rest() {
         muscle.attachments = attachments;
         attachments_.push_back(std::move(attachments));
         muscle.mesh = std::make_shared<const TriMesh>(std::move(data.mesh));
+        fibres_.push_back(read_fibres(folder_ / fibre_file(muscle.name, 0), *muscle.mesh));
     }
     scene_ = std::move(scene);
 }
@@ -213,6 +241,7 @@ FramePtr RunReader::read_frame(int frame) const {
 RecordingPtr RunReader::read_recording(const JobControl& control) const {
     auto recording = std::make_shared<Recording>(scene_);
     recording->set_attachments(attachments_);
+    recording->set_fibres(fibres_);
     for (std::size_t i = 0; i < frames_.size(); ++i) {
         control.checkpoint("read frames", static_cast<double>(i) / static_cast<double>(frames_.size()));
         recording->append(read_frame(frames_[i]));

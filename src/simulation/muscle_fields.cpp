@@ -73,24 +73,30 @@ std::vector<double> edge_alignment(const TriMesh& mesh, const MeshTopology& topo
     return along;
 }
 
-std::vector<double> muscle_carry_weights(const Muscle& muscle, const MeshTopology& topology,
-                                         const std::vector<Attachment>& attachments,
+std::vector<double> muscle_bone_shares(const Muscle& muscle, const MeshTopology& topology,
+                                       const std::vector<Attachment>& attachments, std::size_t bones) {
+    if (attachments.empty())
+        return {};
+    std::vector<bool> fixed(muscle.mesh->positions.size(), false);
+    std::vector<double> values(fixed.size() * bones, 0.0);
+    for (const Attachment& attachment : attachments)
+        for (const int v : attachment.vertices) {
+            fixed[static_cast<std::size_t>(v)] = true;
+            values[static_cast<std::size_t>(v) * bones + static_cast<std::size_t>(attachment.bone)] = 1.0;
+        }
+    return solve_harmonic(*muscle.mesh, topology, fixed, values, static_cast<int>(bones));
+}
+
+std::vector<double> muscle_carry_weights(const Muscle& muscle, std::vector<double> shares,
                                          const std::vector<BoneQuery>& bones) {
     if (std::none_of(bones.begin(), bones.end(), [](const BoneQuery& b) { return b.moves; }))
         return {};
-    if (attachments.empty())
+    if (shares.empty())
         return weights_by_distance(muscle, bones);
-    const std::size_t count = bones.size();
-    std::vector<bool> fixed(muscle.mesh->positions.size(), false);
-    std::vector<double> values(fixed.size() * count, 0.0);
-    for (const Attachment& attachment : attachments) {
-        const auto b = static_cast<std::size_t>(attachment.bone);
-        for (const int v : attachment.vertices) {
-            fixed[static_cast<std::size_t>(v)] = true;
-            values[static_cast<std::size_t>(v) * count + b] = bones[b].moves ? 1.0 : 0.0;
-        }
-    }
-    return solve_harmonic(*muscle.mesh, topology, fixed, values, static_cast<int>(count));
+    for (std::size_t k = 0; k < shares.size(); ++k)
+        if (!bones[k % bones.size()].moves)
+            shares[k] = 0.0;
+    return shares;
 }
 
 } // namespace fascicle

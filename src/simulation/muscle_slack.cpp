@@ -1,7 +1,5 @@
 #include "simulation/muscle_slack.hpp"
 
-#include "fascicle/anatomy/harmonic_field.hpp"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -56,8 +54,7 @@ Pose blended_pose(std::span<const Pose> poses, std::span<const double> shares) {
 MuscleSlack::MuscleSlack(const Scene& scene, const PreparedMuscle& muscle) {
     const std::size_t bones = scene.bones.size();
     const TriMesh& mesh = *muscle.problem.surface;
-    std::vector<bool> fixed(mesh.positions.size(), false);
-    std::vector<double> values(fixed.size() * bones, 0.0);
+    const std::vector<double>& shares = muscle.bone_shares;
     std::vector<bool> held(bones, false), far(bones, false); // far: of the insertion's end
     for (const Attachment& attachment : muscle.attachments) {
         const auto b = static_cast<std::size_t>(attachment.bone);
@@ -65,15 +62,10 @@ MuscleSlack::MuscleSlack(const Scene& scene, const PreparedMuscle& muscle) {
         held[b] = true;
         far[b] =
             attachment.kind == AttachmentKind::unknown ? moves : attachment.kind == AttachmentKind::insertion;
-        for (const int v : attachment.vertices) {
-            fixed[static_cast<std::size_t>(v)] = true;
-            values[static_cast<std::size_t>(v) * bones + b] = 1.0;
-        }
     }
-    if (std::count(held.begin(), held.end(), true) < 2 || std::count(far.begin(), far.end(), true) == 0)
+    if (shares.empty() || std::count(held.begin(), held.end(), true) < 2 ||
+        std::count(far.begin(), far.end(), true) == 0)
         return;
-    const MeshTopology topology(mesh.vertex_count(), mesh.triangles);
-    const std::vector<double> shares = solve_harmonic(mesh, topology, fixed, values, static_cast<int>(bones));
     const std::vector<double> areas = vertex_areas(mesh);
     std::vector<Level> levels(sections + 1);
     std::vector<double> weights(levels.size(), 0.0);

@@ -215,8 +215,10 @@ PreparedMuscle prepare_muscle(const Scene& scene, const Muscle& muscle, const So
         problem.edge_along = edge_alignment(*muscle.mesh, topology, tangents);
     if (problem.edge_softness.empty() && scene.parameters.get("solver.anisotropy") > 0.0)
         notes.push_back(muscle.name + ": no fibres and no pair of attachments, so it is isotropic");
-    if (method.needs_grid)
-        problem.carry_weights = muscle_carry_weights(muscle, topology, prepared.attachments, bones.queries);
+    if (method.needs_grid) {
+        prepared.bone_shares = muscle_bone_shares(muscle, topology, prepared.attachments, scene.bones.size());
+        problem.carry_weights = muscle_carry_weights(muscle, prepared.bone_shares, bones.queries);
+    }
     return prepared;
 }
 

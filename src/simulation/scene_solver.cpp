@@ -58,6 +58,7 @@ SceneSolver::SceneSolver(const Scene& scene, const PreparedScene& prepared, int 
     tone_ = method_->needs_grid ? scene.parameters.get("solver.tone") : 0.0;
     for (std::size_t m = 0; m < prepared.muscles.size() && tone_ > 0.0; ++m)
         slacks_.emplace_back(scene, prepared.muscles[m]);
+    active_length_.assign(slacks_.size(), 1.0);
     if (solvers_.size() > 1 && solvers_.front()->takes_planes())
         contact_ = std::make_unique<MuscleContact>(scene, prepared);
     for (const auto& solver : solvers_)
@@ -101,8 +102,12 @@ void SceneSolver::advance(std::span<const Pose> from, std::span<const Pose> to) 
 void SceneSolver::advance_part(std::span<const Pose> from, std::span<const Pose> to) {
     release_attachments(to);
     for (std::size_t m = 0; m < slacks_.size(); ++m)
-        solvers_[m]->set_active_length(
-            std::clamp(1.0 + tone_ * (slacks_[m].length(to) - 1.0), least_active_length, 1.0));
+        if (const double share =
+                std::clamp(1.0 + tone_ * (slacks_[m].length(to) - 1.0), least_active_length, 1.0);
+            share != active_length_[m]) {
+            solvers_[m]->set_active_length(share);
+            active_length_[m] = share;
+        }
     if (contact_ != nullptr) {
         const auto& planes = contact_->planes(positions_, from, to, threads_);
         for (std::size_t m = 0; m < solvers_.size(); ++m)
@@ -125,6 +130,8 @@ void SceneSolver::release_attachments(std::span<const Pose> to) {
                 contact_->release(m, vertex);
         }
         auto next = method_->make(problems_[m]);
+        if (m < active_length_.size())
+            next->set_active_length(active_length_[m]);
         if (!next->set_state(solvers_[m]->positions(), solvers_[m]->last_step()))
             continue;
         add(retired_, solvers_[m]->report());

@@ -55,6 +55,11 @@ class FibresTest(ProgramTest):
         self.assertAlmostEqual(float(metrics[0]["fibre_strain_mean"]), 0, places=12)
         summary = json.loads((out / "summary.json").read_text())
         self.assertEqual(summary["muscles"][0]["fibres"]["count"], 16)
+        picture = self.folder / "fibres.png"
+        self.check_done("render", out, "--frame", 3, "--colour", "fibres", "--size", "300x200", "--out", picture)
+        plain = self.folder / "plain.png"
+        self.check_done("render", out, "--frame", 3, "--size", "300x200", "--out", plain)
+        self.assertNotEqual(picture.read_bytes(), plain.read_bytes())
         # The next run without fibres leaves none behind.
         self.check_done(*options)
         self.assertFalse((out / "fibres.csv").exists())

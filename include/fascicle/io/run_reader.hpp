@@ -21,6 +21,8 @@ public:
     ScenePtr scene() const { return scene_; }
     /// Attachments in force, one list per muscle.
     const std::vector<std::vector<Attachment>>& attachments() const { return attachments_; }
+    /// Fibres, one a muscle, null for one that has none: their rest from fibres/, bound to the surface there anew.
+    const std::vector<FibreModelPtr>& fibres() const { return fibres_; }
     /// Numbers of the frames that have files, ascending, beginning with 0.
     const std::vector<int>& frames() const { return frames_; }
     /// Error when the frame has no files, with the nearest that has.
@@ -37,6 +39,7 @@ private:
     std::filesystem::path folder_;
     ScenePtr scene_;
     std::vector<std::vector<Attachment>> attachments_;
+    std::vector<FibreModelPtr> fibres_;
     std::vector<int> frames_;
     std::vector<std::vector<Pose>> poses_; ///< by frame, then bone
     std::vector<double> angles_;           ///< by frame

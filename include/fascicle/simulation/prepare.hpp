@@ -11,6 +11,8 @@ namespace fascicle {
 struct PreparedMuscle {
     SoftBodyProblem problem;
     std::vector<Attachment> attachments;
+    /// V x B, how much of each bone's motion a vertex feels: harmonic between the attachments; empty without them.
+    std::vector<double> bone_shares;
     FibreModelPtr fibres; ///< null when fibres.method is "none"
 };
 

@@ -51,7 +51,8 @@ private:
     std::vector<SoftBodyProblem> problems_; ///< of methods that can be taken over; else empty
     std::vector<AttachmentGuard> guards_;
     double tone_ = 0;
-    std::vector<MuscleSlack> slacks_; ///< empty without tone
+    std::vector<MuscleSlack> slacks_;   ///< empty without tone
+    std::vector<double> active_length_; ///< by slack: what its solver was told last
     std::vector<std::vector<int>> released_;
     StepReport retired_;                     ///< what solvers reported that were replaced
     std::unique_ptr<MuscleContact> contact_; ///< null with one muscle, or when the method knows no planes

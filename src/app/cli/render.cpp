@@ -72,6 +72,7 @@ RecordingPtr simulate(const RenderOptions& options, bool all) {
 RecordingPtr read_frames(const RunReader& reader, int frame) {
     auto recording = std::make_shared<Recording>(reader.scene());
     recording->set_attachments(reader.attachments());
+    recording->set_fibres(reader.fibres());
     recording->append(reader.read_frame(0));
     if (frame != 0)
         recording->append(reader.read_frame(frame));

@@ -128,6 +128,7 @@ private:
         }
         plan_.interfaces.pop_back(); // behind the last block there is nothing
         plan_.edges.shrink_to_fit(); // kept for the whole run
+        plan_.active.shrink_to_fit();
         plan_.hinges.shrink_to_fit();
         plan_.rings.shrink_to_fit();
         return true;
