@@ -4,6 +4,8 @@
 #include "fascicle/base/error.hpp"
 
 #include <algorithm>
+#include <cstdio>
+#include <limits>
 
 namespace fascicle {
 
@@ -26,6 +28,33 @@ const FibreTemplate* find_template(const Scene& scene, const Muscle& muscle) {
     if (key == parallel_template().key)
         return &parallel_template();
     throw_error("fibres.template", "template '" + key + "' is not loaded", "the program's resources");
+}
+
+/// Why a muscle has no patch of a kind, as far as its outlines tell: nothing where none was given.
+void explain_missing(const Muscle& muscle, const TriMesh& rest, const std::vector<AttachmentPatch>& patches,
+                     double unit_mm) {
+    for (const AttachmentKind kind : {AttachmentKind::origin, AttachmentKind::insertion}) {
+        const auto same = [&](const auto& other) { return other.kind == kind; };
+        if (std::any_of(patches.begin(), patches.end(), same) || !muscle.attachments.empty())
+            continue;
+        for (const AttachmentOutline& outline : muscle.outlines) {
+            if (outline.kind != kind || outline.points.empty())
+                continue;
+            double nearest = std::numeric_limits<double>::infinity();
+            for (const Vec3& p : outline.points)
+                for (const Vec3& v : rest.positions)
+                    nearest = std::min(nearest, (p - v).norm());
+            char distance[40];
+            std::snprintf(distance, sizeof distance, "%.1f mm", nearest * unit_mm);
+            const std::string what =
+                std::string("the ") + to_text(kind) + " outline on '" + outline.bone + "' ";
+            if (nearest * unit_mm > 5.0)
+                throw_error(muscle.name, what + "is " + distance + " away from the muscle at its nearest",
+                            "an outline within a few millimetres of bone and muscle");
+            throw_error(muscle.name, what + "reaches no vertex of the muscle that no other attachment holds",
+                        "origin and insertion at different places of the muscle, near to its surface");
+        }
+    }
 }
 
 } // namespace
@@ -76,6 +105,7 @@ FibreModelPtr make_fibres(const Scene& scene, const Muscle& muscle, const TriMes
     problem.topology = &topology;
     problem.patches = fibre_patches(scene, muscle, attachments);
     problem.unit_mm = millimetres_per_unit(scene.unit);
+    explain_missing(muscle, rest, problem.patches, problem.unit_mm);
     problem.count = scene.parameters.get_int("fibres.count");
     problem.segments = scene.parameters.get_int("fibres.segments");
     problem.threads = threads;

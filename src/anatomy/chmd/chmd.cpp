@@ -113,13 +113,13 @@ FibreModel decompose_chmd(const FibreProblem& problem) {
     if (control.farthest * problem.unit_mm > 5.0) {
         char text[80];
         std::snprintf(text, sizeof text,
-                      ": surface fibres lie up to %.1f mm from the surface and were laid onto it",
+                      "surface fibres lie up to %.1f mm from the surface and were laid onto it",
                       control.farthest * problem.unit_mm);
-        model.notes.push_back(problem.muscle + text);
+        model.notes.push_back(text);
     }
     for (const bool at_origin : {true, false})
         if (const int heads = rows.head(rows.spans(), at_origin) + 1; heads > 1)
-            model.notes.push_back(problem.muscle + ": " + std::to_string(heads) + " heads at the " +
+            model.notes.push_back(std::to_string(heads) + " heads at the " +
                                   (at_origin ? "origin" : "insertion"));
     return model;
 }

@@ -108,6 +108,15 @@ void check_template(const FibreTemplate& fibre_template, const std::string& wher
             fewest = std::min(fewest, polygon.points.size());
             most = std::max(most, polygon.points.size());
         }
+    for (const auto& [side, name] :
+         {std::pair(&fibre_template.front, "front"), {&fibre_template.back, "back"}})
+        for (std::size_t k = 0; k < side->size(); ++k)
+            if (const auto& points = (*side)[k].points; !(points.back().y() > points.front().y()))
+                throw_error(where,
+                            std::string(name) + "[" + std::to_string(k) +
+                                "]: the fibre ends no nearer to the insertion "
+                                "(y = 1) than it begins",
+                            "points from the origin's side to the insertion's");
     if (most > fewest + 1)
         throw_error(where,
                     "polygons of " + std::to_string(fewest) + " and " + std::to_string(most) + " points",

@@ -166,7 +166,9 @@ FibreModel decompose_streamlines(const FibreProblem& given) {
     smooth_fibres(fibres, smoothing_passes);
     if (const auto count = std::count(far.begin(), far.end(), 1); count > 0)
         model.notes.push_back(std::to_string(count) +
-                              " streamlines end short of the insertion and are led to it straight");
+                              (count == 1
+                                   ? " streamline ends short of the insertion and is led to it straight"
+                                   : " streamlines end short of the insertion and are led to it straight"));
     model.seconds.emplace_back("streamlines", watch.lap());
 
     finish_fibres(problem, inside, model);
