@@ -2,6 +2,7 @@
 
 #include "fascicle/anatomy/harmonic_field.hpp"
 #include "fascicle/base/assert.hpp"
+#include "fascicle/geometry/bvh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,19 +51,25 @@ Points edge_tangents_from_fibres(const TriMesh& mesh, const MeshTopology& topolo
     Points tangents(topology.edges().size(), Vec3::Zero());
     if (segments.empty())
         return tangents;
+    // A tree of triangles without area, one a segment. Where two are equally near they meet, and have one tangent there.
+    TriMesh lines;
+    for (const FibreSegment& segment : segments) {
+        const int a = lines.vertex_count();
+        lines.positions.insert(lines.positions.end(), {segment.a, segment.b});
+        lines.triangles.push_back({a, a + 1, a + 1});
+    }
+    const TriangleBvh tree(lines);
+    int hint = -1;
     for (std::size_t e = 0; e < tangents.size(); ++e) {
         const Edge& edge = topology.edges()[e];
         const Vec3 middle = 0.5 * (position(mesh, edge.a) + position(mesh, edge.b));
-        double best = std::numeric_limits<double>::infinity();
-        for (const FibreSegment& segment : segments) {
-            const Vec3 d = segment.b - segment.a;
-            const double s = std::clamp((middle - segment.a).dot(d) / d.squaredNorm(), 0.0, 1.0);
-            const double squared_distance = (segment.a + s * d - middle).squaredNorm();
-            if (squared_distance < best) {
-                best = squared_distance;
-                tangents[e] = unit_or_zero((1.0 - s) * segment.ta + s * segment.tb);
-            }
-        }
+        hint = tree.closest(middle, std::numeric_limits<double>::infinity(), hint).triangle;
+        if (hint < 0)
+            continue; // a middle that is not finite
+        const FibreSegment& segment = segments[static_cast<std::size_t>(hint)];
+        const Vec3 d = segment.b - segment.a;
+        const double s = std::clamp((middle - segment.a).dot(d) / d.squaredNorm(), 0.0, 1.0);
+        tangents[e] = unit_or_zero((1.0 - s) * segment.ta + s * segment.tb);
     }
     return tangents;
 }

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 using namespace fascicle;
 
@@ -93,5 +94,48 @@ TEST_CASE("field tangents follow the gradient on a plane and vanish where the fi
             CHECK((tangents[e] - Vec3::UnitX()).norm() < 1e-9);
         if (x < 1.9)
             CHECK(tangents[e] == Vec3::Zero());
+    }
+}
+
+TEST_CASE("the nearest fibre found by the tree is that of all segments looked at", "[anatomy][anisotropy]") {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> between(-3.0, 3.0);
+    Polylines fibres;
+    for (int line = 0; line < 12; ++line) {
+        std::vector<int>& points = fibres.lines.emplace_back();
+        for (int k = 0; k < 6; ++k) {
+            points.push_back(static_cast<int>(fibres.points.size()));
+            fibres.points.emplace_back(between(random), between(random), between(random));
+        }
+    }
+    const TriMesh mesh = test::sphere(2.5, 3);
+    const MeshTopology topology(mesh.vertex_count(), mesh.triangles);
+    const Points tangents = edge_tangents_from_fibres(mesh, topology, fibres);
+    for (std::size_t e = 0; e < tangents.size(); ++e) {
+        const Vec3 middle = 0.5 * (mesh.positions[static_cast<std::size_t>(topology.edges()[e].a)] +
+                                   mesh.positions[static_cast<std::size_t>(topology.edges()[e].b)]);
+        double best = 1e300;
+        Vec3 expected = Vec3::Zero();
+        for (const std::vector<int>& line : fibres.lines)
+            for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+                const auto at = [&](std::size_t i) {
+                    return fibres.points[static_cast<std::size_t>(line[std::min(i, line.size() - 1)])];
+                };
+                const auto tangent = [&](std::size_t i) {
+                    Vec3 sum = Vec3::Zero();
+                    if (i > 0)
+                        sum += (at(i) - at(i - 1)).normalized();
+                    if (i + 1 < line.size())
+                        sum += (at(i + 1) - at(i)).normalized();
+                    return Vec3(sum.normalized());
+                };
+                const Vec3 d = at(k + 1) - at(k);
+                const double s = std::clamp((middle - at(k)).dot(d) / d.squaredNorm(), 0.0, 1.0);
+                if (const double far = (at(k) + s * d - middle).norm(); far < best) {
+                    best = far;
+                    expected = ((1 - s) * tangent(k) + s * tangent(k + 1)).normalized();
+                }
+            }
+        CHECK((tangents[e] - expected).norm() < 1e-9);
     }
 }
