@@ -2,6 +2,7 @@
 
 #include "editor/frame_axis.hpp"
 #include "editor/widgets/plot.hpp"
+#include "fascicle/metrics/line_series.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,8 @@ struct PlotRow {
     const char* high_key;
     std::optional<double> reference;
     double least_span;
-    bool of_fibres = false; ///< shown where a run has fibres
+    bool of_fibres = false; ///< shown where a run has fibres, or the scene line muscles
+    std::vector<double> LineSeries::*of_lines = nullptr; ///< what line muscles have of it
 };
 
 const std::vector<PlotRow>& plot_rows() {
@@ -31,9 +33,9 @@ const std::vector<PlotRow>& plot_rows() {
         {"plot/dihedral_change", "dihedral_change_mean_rad", "Mean dihedral change", nullptr, nullptr,
          std::nullopt, 0.01},
         {"plot/fibre_length", "fibre_length_mean_mm", "Fibre length", "fibre_length_p5_mm",
-         "fibre_length_p95_mm", std::nullopt, 1.0, true},
+         "fibre_length_p95_mm", std::nullopt, 1.0, true, &LineSeries::lengths_mm},
         {"plot/moment_arm", "moment_arm_mean_mm", "Moment arm", "moment_arm_p5_mm", "moment_arm_p95_mm", 0.0,
-         1.0, true},
+         1.0, true, &LineSeries::moment_arms_mm},
     };
     return rows;
 }
@@ -68,7 +70,8 @@ class Plots : public Panel {
 public:
     void draw(EditorContext& context, const Rect& area) override {
         std::vector<PlotRow> rows = plot_rows();
-        if (!has_fibres(context))
+        follow_lines(context.document.head());
+        if (!has_fibres(context) && lines_.muscles.empty())
             std::erase_if(rows, [](const PlotRow& row) { return row.of_fibres; });
         follow_timeline(context);
         const int columns =
@@ -102,6 +105,30 @@ private:
         }
     }
 
+    /// Line muscles go as the motion is planned, so their curves are there before any run.
+    void follow_lines(const ScenePtr& scene) {
+        if (scene == lines_scene_)
+            return;
+        lines_scene_ = scene;
+        lines_ = line_series(*scene);
+    }
+
+    void add_line_curves(const EditorContext& context, const PlotRow& row, PlotInput& input) const {
+        if (row.of_lines == nullptr)
+            return;
+        const std::size_t muscles = lines_.muscles.size();
+        for (std::size_t m = 0; m < muscles; ++m) {
+            PlotCurve curve;
+            curve.name = lines_.muscles[m];
+            curve.colour = muted_curve_colour(context.theme, static_cast<int>(m));
+            curve.dashed = true;
+            curve.hidden = context.state.hidden_curves.count(curve.name) != 0;
+            for (std::size_t k = 0; k < lines_.frames.size(); ++k)
+                curve.y.push_back((lines_.*row.of_lines)[k * muscles + m]);
+            input.curves.push_back(std::move(curve));
+        }
+    }
+
     static void add_curves(const EditorContext& context, const PlotRow& row, PlotInput& input) {
         const MetricValues& now = context.metrics.current();
         const auto& earlier = context.metrics.earlier();
@@ -131,7 +158,7 @@ private:
         }
     }
 
-    static void draw_one(EditorContext& context, const PlotRow& row, const Rect& rect) {
+    void draw_one(EditorContext& context, const PlotRow& row, const Rect& rect) {
         EditorState& state = context.state;
         const Scene& scene = context.document.scene();
         const int index = metric_index(row.key);
@@ -156,6 +183,7 @@ private:
         input.least_span = row.least_span;
         input.empty_text = scene.muscles.empty() ? "No muscle" : "No frames yet";
         add_curves(context, row, input);
+        add_line_curves(context, row, input);
 
         const PlotResult result =
             draw_plot(row.id, rect, input, state.plot_range, context.theme, context.scale());
@@ -168,7 +196,8 @@ private:
         if (result.toggled >= 0)
             toggle(state, input.curves[static_cast<std::size_t>(result.toggled)].name);
         if (result.isolated >= 0)
-            isolate(state, scene, input.curves[static_cast<std::size_t>(result.isolated)].name);
+            isolate(state, scene, lines_.muscles,
+                    input.curves[static_cast<std::size_t>(result.isolated)].name);
     }
 
     static void toggle(EditorState& state, const std::string& name) {
@@ -176,12 +205,19 @@ private:
             state.hidden_curves.insert(name);
     }
 
-    static void isolate(EditorState& state, const Scene& scene, const std::string& name) {
+    static void isolate(EditorState& state, const Scene& scene, const std::vector<std::string>& lines,
+                        const std::string& name) {
         state.hidden_curves.clear();
         for (const Muscle& muscle : scene.muscles)
             if (muscle.name != name)
                 state.hidden_curves.insert(muscle.name);
+        for (const std::string& line : lines)
+            if (line != name)
+                state.hidden_curves.insert(line);
     }
+
+    ScenePtr lines_scene_;
+    LineSeries lines_; ///< of lines_scene_
 };
 
 } // namespace

@@ -108,12 +108,35 @@ void draw_band(ImDrawList& list, const Axes& axes, const PlotCurve& curve) {
     }
 }
 
+/// Dashes and gaps of one length along the polyline, whatever its points are apart.
+void draw_dashes(ImDrawList& list, const std::vector<ImVec2>& points, ImU32 colour, float thickness,
+                 float length) {
+    float along = 0; // since the first point, modulo a dash and a gap
+    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+        const ImVec2 a = points[k], b = points[k + 1];
+        const float whole = std::hypot(b.x - a.x, b.y - a.y);
+        for (float done = 0; done < whole;) {
+            const bool dash = along < length;
+            const float piece = std::min(whole - done, std::max((dash ? length : 2 * length) - along, 0.01f));
+            const auto at = [&](float s) {
+                return ImVec2(a.x + (b.x - a.x) * s / whole, a.y + (b.y - a.y) * s / whole);
+            };
+            if (dash)
+                list.AddLine(at(done), at(done + piece), colour, thickness);
+            done += piece;
+            along = along + piece >= 2 * length - 0.01f ? 0 : along + piece;
+        }
+    }
+}
+
 void draw_line(ImDrawList& list, const Axes& axes, const PlotCurve& curve, float scale) {
     const ImU32 colour = curve.ghost ? with_alpha(curve.colour, 0.35f) : curve.colour;
-    const float thickness = (curve.ghost ? 1.0f : 1.8f) * scale;
+    const float thickness = (curve.ghost ? 1.0f : curve.dashed ? 1.3f : 1.8f) * scale;
     std::vector<ImVec2> points;
     const auto flush = [&] {
-        if (points.size() > 1)
+        if (points.size() > 1 && curve.dashed)
+            draw_dashes(list, points, colour, thickness, 5 * scale);
+        else if (points.size() > 1)
             list.AddPolyline(points.data(), static_cast<int>(points.size()), colour, 0, thickness);
         else if (points.size() == 1)
             list.AddCircleFilled(points[0], thickness * 1.4f, colour);
