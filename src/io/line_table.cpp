@@ -10,16 +10,14 @@ namespace fascicle {
 
 namespace {
 
-constexpr const char* columns[] = {"frame", "muscle", "angle_deg", "length_mm", "moment_arm_mm"};
+constexpr const char* header = "frame,muscle,angle_deg,length_mm,moment_arm_mm";
 
 } // namespace
 
 void write_line_table(const std::filesystem::path& path, const LineSeries& series) {
     AtomicFile file(path);
     CsvWriter csv(file.stream());
-    for (const char* column : columns)
-        csv.text(column);
-    csv.end_row();
+    file.stream() << header << '\n';
     for (std::size_t k = 0; k < series.frames.size(); ++k)
         for (std::size_t m = 0; m < series.muscles.size(); ++m) {
             csv.integer(series.frames[k]).text(series.muscles[m]);
@@ -32,10 +30,8 @@ void write_line_table(const std::filesystem::path& path, const LineSeries& serie
 
 void remove_line_table(const std::filesystem::path& path) {
     std::ifstream file(path);
-    std::string line, own;
-    for (const char* column : columns)
-        own += (own.empty() ? "" : ",") + std::string(column);
-    if (!std::getline(file, line) || line != own)
+    std::string line;
+    if (!std::getline(file, line) || line != header)
         return;
     file.close();
     std::error_code ignored;

@@ -5,6 +5,7 @@
 #include "fascicle/geometry/bvh.hpp"
 #include "scene/line_posture.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,7 +13,8 @@ namespace fascicle {
 
 namespace {
 
-constexpr double near_m = 5e-3; ///< ends this close to a bone in the mean belong to it
+constexpr double near_m = 5e-3; ///< ends this close to a bone in the median belong to it
+constexpr double doubt_m = 10e-3;
 constexpr double far_m = 50e-3; ///< farther from the bones than this: another frame or specimen
 
 std::string rounded(double value, double steps) {
@@ -66,25 +68,31 @@ private:
                    ? std::numeric_limits<double>::infinity()
                    : std::sqrt(trees_[bone].closest(units_ * p_m).squared_distance) / units_;
     }
-    /// Mean over the ends of muscles on a body, metres; bone -1: each to its nearest one. 0 without ends.
-    double mean_distance(std::size_t body, const Pose& rest, int bone) const {
-        double sum = 0;
+    /// Of the ends of muscles on a body, metres; bone -1: each to its nearest one.
+    std::vector<double> distances(std::size_t body, const Pose& rest, int bone) const {
+        std::vector<double> found;
         for (const Vec3& p : ends_[body]) {
             double least = bone < 0 ? std::numeric_limits<double>::infinity()
                                     : distance(rest.apply(p), static_cast<std::size_t>(bone));
             for (std::size_t b = 0; bone < 0 && b < trees_.size(); ++b)
                 least = std::min(least, distance(rest.apply(p), b));
-            sum += least;
+            found.push_back(least);
         }
-        return ends_[body].empty() ? 0.0 : sum / static_cast<double>(ends_[body].size());
+        return found;
+    }
+    /// Not the mean: a body may be several bones of the scene, or lines begin in the middle of a curved area.
+    double median_distance(std::size_t body, const Pose& rest, int bone) const {
+        std::vector<double> sorted = distances(body, rest, bone);
+        std::sort(sorted.begin(), sorted.end());
+        return sorted[(sorted.size() - 1) / 2];
     }
     /// Over all ends of muscles.
     double mean_distance(const std::vector<Pose>& rest) const {
         double sum = 0, count = 0;
         for (std::size_t b = 0; b < bodies(); ++b)
-            if (!ends_[b].empty()) {
-                sum += mean_distance(b, rest[b], named_[b]) * static_cast<double>(ends_[b].size());
-                count += static_cast<double>(ends_[b].size());
+            for (const double d : distances(b, rest[b], named_[b])) {
+                sum += d;
+                ++count;
             }
         return count > 0 ? sum / count : 0.0;
     }
@@ -133,7 +141,7 @@ void Placement::choose_frame(LineMuscles& lines, std::vector<std::string>& notes
                     "a model in the frame of the meshes, of the same specimen");
     notes.push_back(chosen + "; ends of muscles are " + rounded(1000 * best, 10) +
                     " mm from the bones in the mean" +
-                    (best > near_m ? ", so far that the model may be of another specimen" : ""));
+                    (best > doubt_m ? ", so far that the model may be of another specimen" : ""));
     if (chosen != each)
         return;
     fit_posture(model_.skeleton, used_, ends_, lines.rest, lines.rest_values);
@@ -166,12 +174,13 @@ void Placement::match(LineMuscles& lines, std::vector<std::string>& notes) const
         if (bone < 0 && !ends_[body].empty()) {
             double least = std::numeric_limits<double>::infinity();
             for (std::size_t b = 0; b < scene_.bones.size(); ++b)
-                if (const double mean = mean_distance(body, lines.rest[body], static_cast<int>(b));
+                if (const double median = median_distance(body, lines.rest[body], static_cast<int>(b));
                     mean < least) {
-                    least = mean;
+                    least = median;
                     bone = static_cast<int>(b);
                 }
-            why = "the nearest to the ends of its muscles, " + rounded(1000 * least, 10) + " mm in the mean";
+            why =
+                "the nearest to the ends of its muscles, " + rounded(1000 * least, 10) + " mm in the median";
             if (!(least <= near_m))
                 bone = -1;
         }

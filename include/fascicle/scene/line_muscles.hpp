@@ -25,7 +25,7 @@ double scene_units_per_metre(LengthUnit unit);
 /// the one that leaves the muscles' ends nearest to the bones in the mean; of equals the first. In the last case the rest values
 /// are fitted: least squares of the bodies' places to each other.
 /// A body belongs to the bone of its name, else to that of its name without `_r` or `_l`, else to the nearest bone, if the
-/// ends of its muscles are within 5 mm of it in the mean, else to the first bone that does not move. notes: a sentence per
+/// ends of its muscles are within 5 mm of it in the median, else to the first bone that does not move. notes: a sentence per
 /// decision. Bodies without points or wrap objects of muscles do not count.
 /// Error naming `where`: no muscles, no body that belongs to a bone by its name or place, ends more than 50 mm from the
 /// bones in the mean.
