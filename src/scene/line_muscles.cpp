@@ -175,7 +175,7 @@ void Placement::match(LineMuscles& lines, std::vector<std::string>& notes) const
             double least = std::numeric_limits<double>::infinity();
             for (std::size_t b = 0; b < scene_.bones.size(); ++b)
                 if (const double median = median_distance(body, lines.rest[body], static_cast<int>(b));
-                    mean < least) {
+                    median < least) {
                     least = median;
                     bone = static_cast<int>(b);
                 }

