@@ -199,7 +199,7 @@ void add_line_muscles(render::DrawList& list, const ViewSubject& subject, const 
     if (line.points->empty())
         return;
     line.colour = palette::line_muscle;
-    line.width_px = 2.5f;
+    line.width_px = 2.0f;
     list.lines.push_back(line);
     line.colour[3] = 0.4f;
     line.on_top = true;

@@ -6,11 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 namespace fascicle::editor {
 
 namespace {
+
+/// In the legend, and in EditorState::hidden_curves.
+constexpr const char* all_lines = "line muscles";
 
 /// A plot: a metric, and the metrics that make its band.
 struct PlotRow {
@@ -113,18 +117,32 @@ private:
         lines_ = line_series(*scene);
     }
 
+    /// One entry of the legend stands for all of them.
     void add_line_curves(const EditorContext& context, const PlotRow& row, PlotInput& input) const {
-        if (row.of_lines == nullptr)
-            return;
         const std::size_t muscles = lines_.muscles.size();
+        if (row.of_lines == nullptr || muscles == 0)
+            return;
+        const auto at = static_cast<std::size_t>(std::max(0.0, std::round(context.playhead())));
+        const bool hidden = context.state.hidden_curves.count(all_lines) != 0;
+        PlotCurve entry;
+        entry.name = all_lines;
+        entry.colour = context.theme.text_faint;
+        entry.hidden = hidden;
+        input.curves.push_back(entry);
+        input.tooltip += "\nDashed: line muscles of the model.";
         for (std::size_t m = 0; m < muscles; ++m) {
             PlotCurve curve;
             curve.name = lines_.muscles[m];
             curve.colour = muted_curve_colour(context.theme, static_cast<int>(m));
             curve.dashed = true;
-            curve.hidden = context.state.hidden_curves.count(curve.name) != 0;
+            curve.hidden = hidden;
             for (std::size_t k = 0; k < lines_.frames.size(); ++k)
                 curve.y.push_back((lines_.*row.of_lines)[k * muscles + m]);
+            if (at < curve.y.size()) {
+                char value[32];
+                std::snprintf(value, sizeof value, ": %.2f", curve.y[at]);
+                input.tooltip += '\n' + curve.name + value;
+            }
             input.curves.push_back(std::move(curve));
         }
     }
@@ -205,15 +223,13 @@ private:
             state.hidden_curves.insert(name);
     }
 
-    static void isolate(EditorState& state, const Scene& scene, const std::vector<std::string>& lines,
-                        const std::string& name) {
+    static void isolate(EditorState& state, const Scene& scene, const std::string& name) {
         state.hidden_curves.clear();
         for (const Muscle& muscle : scene.muscles)
             if (muscle.name != name)
                 state.hidden_curves.insert(muscle.name);
-        for (const std::string& line : lines)
-            if (line != name)
-                state.hidden_curves.insert(line);
+        if (name != all_lines)
+            state.hidden_curves.insert(all_lines);
     }
 
     ScenePtr lines_scene_;

@@ -151,6 +151,42 @@ void draw_line(ImDrawList& list, const Axes& axes, const PlotCurve& curve, float
     flush();
 }
 
+/// Names of dashed curves over the right end of the plot, one below the other where they are close; none where there is no
+/// room.
+void draw_end_names(ImDrawList& list, const Axes& axes, const std::vector<PlotCurve>& curves,
+                    const Theme& theme, float line_height, float scale) {
+    struct Name {
+        float y;
+        const PlotCurve* curve;
+    };
+    std::vector<Name> names;
+    const auto k = static_cast<std::size_t>(std::max(0.0, std::floor(axes.x1)));
+    for (const PlotCurve& curve : curves)
+        if (curve.dashed && !curve.hidden && k < curve.y.size() && std::isfinite(curve.y[k]))
+            names.push_back({axes.y(curve.y[k]), &curve});
+    const float step = line_height * 0.95f;
+    if (axes.area.width() < 120 * scale || step * static_cast<float>(names.size()) > axes.area.height())
+        return;
+    std::stable_sort(names.begin(), names.end(), [](const Name& a, const Name& b) { return a.y < b.y; });
+    float below = axes.area.min.y + step / 2;
+    for (Name& name : names) {
+        name.y = std::max(name.y, below);
+        below = name.y + step;
+    }
+    float above = axes.area.max.y - step / 2;
+    for (auto name = names.rbegin(); name != names.rend(); ++name) {
+        name->y = std::min(name->y, above);
+        above = name->y - step;
+    }
+    for (const Name& name : names) {
+        const ImVec2 size = text_size(name.curve->name);
+        const ImVec2 at{axes.area.max.x - size.x - 4 * scale, std::round(name.y - size.y / 2)};
+        list.AddRectFilled({at.x - 2 * scale, at.y}, {at.x + size.x + 2 * scale, at.y + size.y},
+                           with_alpha(theme.plot, 0.75f));
+        draw_text(list, at, name.curve->colour, name.curve->name);
+    }
+}
+
 struct LegendItem {
     std::size_t curve;
     std::string name, value;
@@ -163,7 +199,7 @@ std::vector<LegendItem> legend_items(const PlotInput& input, double frame, float
     float values = 0, longest = 0;
     for (std::size_t i = 0; i < input.curves.size(); ++i) {
         const PlotCurve& curve = input.curves[i];
-        if (curve.ghost)
+        if (curve.ghost || curve.dashed)
             continue;
         const auto k = static_cast<std::size_t>(std::max(0.0, std::round(frame)));
         items.push_back(
@@ -316,6 +352,7 @@ PlotResult draw_plot(const char* id, const Rect& rect, const PlotInput& input, P
     for (const PlotCurve& curve : input.curves)
         if (!curve.ghost && !curve.hidden)
             draw_line(list, axes, curve, scale);
+    draw_end_names(list, axes, input.curves, theme, line, scale);
     if (input.hover) {
         const float x = std::round(axes.x(*input.hover));
         list.AddLine({x, axes.area.min.y}, {x, axes.area.max.y}, theme.hover_line, scale);
