@@ -214,8 +214,7 @@ private:
         if (result.toggled >= 0)
             toggle(state, input.curves[static_cast<std::size_t>(result.toggled)].name);
         if (result.isolated >= 0)
-            isolate(state, scene, lines_.muscles,
-                    input.curves[static_cast<std::size_t>(result.isolated)].name);
+            isolate(state, scene, input.curves[static_cast<std::size_t>(result.isolated)].name);
     }
 
     static void toggle(EditorState& state, const std::string& name) {
