@@ -165,7 +165,10 @@ void draw_end_names(ImDrawList& list, const Axes& axes, const std::vector<PlotCu
         if (curve.dashed && !curve.hidden && k < curve.y.size() && std::isfinite(curve.y[k]))
             names.push_back({axes.y(curve.y[k]), &curve});
     const float step = line_height * 0.95f;
-    if (axes.area.width() < 120 * scale || step * static_cast<float>(names.size()) > axes.area.height())
+    float widest = 0;
+    for (const Name& name : names)
+        widest = std::max(widest, text_size(name.curve->name).x);
+    if (widest > 0.4f * axes.area.width() || step * static_cast<float>(names.size()) > axes.area.height())
         return;
     std::stable_sort(names.begin(), names.end(), [](const Name& a, const Name& b) { return a.y < b.y; });
     float below = axes.area.min.y + step / 2;
@@ -182,7 +185,7 @@ void draw_end_names(ImDrawList& list, const Axes& axes, const std::vector<PlotCu
         const ImVec2 size = text_size(name.curve->name);
         const ImVec2 at{axes.area.max.x - size.x - 4 * scale, std::round(name.y - size.y / 2)};
         list.AddRectFilled({at.x - 2 * scale, at.y}, {at.x + size.x + 2 * scale, at.y + size.y},
-                           with_alpha(theme.plot, 0.75f));
+                           with_alpha(theme.plot, 0.5f));
         draw_text(list, at, name.curve->colour, name.curve->name);
     }
 }
