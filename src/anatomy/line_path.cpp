@@ -88,13 +88,18 @@ double LinePathSolver::path_length() const {
 double LinePathSolver::moment_arm(int coordinate, const Posture& posture) {
     coordinate_rates(model_.skeleton, posture.q, coordinate, rates_);
     body_twists(model_.skeleton, posture.q, rates_, posture.poses, twists_);
+    return moment_arm(twists_, rates_, posture);
+}
+
+double LinePathSolver::moment_arm(std::span<const Twist> twists, std::span<const double> rates,
+                                  const Posture& posture) {
     const auto velocity = [&](const PathNode& node) {
-        Vec3 v = at(twists_, node.body).at(node.position);
+        Vec3 v = twists[static_cast<std::size_t>(node.body)].at(node.position);
         if (node.point >= 0 && at(muscle_->points, node.point).kind == PathPointKind::moving) {
             const PathPoint& point = at(muscle_->points, node.point);
             Vec3 local;
             for (std::size_t k = 0; k < 3; ++k)
-                local[static_cast<Eigen::Index>(k)] = point.moves[k].rate(posture.q, rates_);
+                local[static_cast<Eigen::Index>(k)] = point.moves[k].rate(posture.q, rates);
             v += at(posture.poses, node.body).rotation * (point.frame.rotation * local);
         }
         return v;

@@ -182,6 +182,14 @@ ImU32 curve_colour(const Theme& theme, int i) {
     return rgb(theme.dark ? on_dark[k] : on_light[k]);
 }
 
+ImU32 muted_curve_colour(const Theme& theme, int i) {
+    const ImU32 colour = curve_colour(theme, i), grey = theme.text_faint;
+    ImU32 mixed = IM_COL32_A_MASK;
+    for (const int shift : {IM_COL32_R_SHIFT, IM_COL32_G_SHIFT, IM_COL32_B_SHIFT})
+        mixed |= (((colour >> shift & 0xffu) + (grey >> shift & 0xffu)) / 2) << shift;
+    return mixed;
+}
+
 ImU32 with_alpha(ImU32 colour, float alpha) {
     const auto value = static_cast<ImU32>(std::lround(alpha * 255.0f));
     return (colour & ~static_cast<ImU32>(IM_COL32_A_MASK)) | (value << IM_COL32_A_SHIFT);

@@ -34,6 +34,8 @@ ImGuiStyle make_style(const Theme& theme);
 
 /// Colour of the i-th curve: told apart also by people who cannot tell red from green (Okabe and Ito 2008).
 ImU32 curve_colour(const Theme& theme, int i);
+/// The same colours half way to grey: what is shown for comparison.
+ImU32 muted_curve_colour(const Theme& theme, int i);
 /// The same colour with its alpha replaced, 0 to 1.
 ImU32 with_alpha(ImU32 colour, float alpha);
 

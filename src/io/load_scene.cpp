@@ -238,6 +238,8 @@ LoadedScene load_scene(const SceneRequest& request, const JobControl& control) {
     }
     if (!request.motion.empty())
         load_motion(loaded.scene, request.motion, loaded.notes);
+    if (!request.lines.empty()) // after the motion: what a note says of the joint counts for it
+        load_line_muscles(loaded.scene, request.lines, loaded.notes);
     return loaded;
 }
 

@@ -3,6 +3,7 @@
 #include "fascicle/io/attachment_file.hpp"
 #include "fascicle/io/files.hpp"
 #include "fascicle/scene/embedded_scenes.hpp"
+#include "fascicle/scene/line_muscles.hpp"
 #include "io/project_json.hpp"
 
 #include <Eigen/LU>
@@ -76,6 +77,11 @@ void ProjectReader::read(Scene& scene, std::vector<std::string>& notes) {
     }
     if (fields_.has("timeline"))
         timeline(fields_.object("timeline"), scene);
+    if (fields_.has("line_muscles")) {
+        const JsonFields file = fields_.object("line_muscles");
+        load_line_muscles(scene, resolved(file), notes);
+        compare(file, scene.line_muscles->source);
+    }
     if (fields_.has("parameters"))
         parameters(fields_.object("parameters"), scene);
 }

@@ -3,6 +3,7 @@
 #include "fascicle/base/build_info.hpp"
 #include "fascicle/base/error.hpp"
 #include "fascicle/base/state_hash.hpp"
+#include "fascicle/scene/line_muscles.hpp"
 
 #include <algorithm>
 
@@ -178,12 +179,14 @@ Json project_json(const Scene& scene, const fs::path& file, const Json& previous
         json["muscles"].push_back(std::move(entry));
     }
     json["timeline"] = timeline_json(scene);
+    if (scene.line_muscles != nullptr && !scene.line_muscles->source.path.empty())
+        json["line_muscles"] = source_json(scene.line_muscles->source, folder);
     json["parameters"] = parameters_json(scene.parameters);
     if (const auto it = previous.find("parameters"); it != previous.end() && it->is_object())
         for (const auto& [key, value] : it->items())
             if (scene.parameters.table().find(key) == nullptr)
                 json["parameters"][key] = value;
-    keep_unknown(json, previous, {"embedded_scene"});
+    keep_unknown(json, previous, {"embedded_scene", "line_muscles"});
     return json;
 }
 

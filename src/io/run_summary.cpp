@@ -2,6 +2,7 @@
 
 #include "fascicle/base/build_info.hpp"
 #include "fascicle/base/state_hash.hpp"
+#include "fascicle/scene/line_muscles.hpp"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -152,6 +153,8 @@ std::string run_summary(const Recording& recording, const RunOutputOptions& opti
         add_input(inputs, bone.source);
     }
     add_input(inputs, scene.motion_source);
+    if (scene.line_muscles != nullptr)
+        add_input(inputs, scene.line_muscles->source);
     if (scene.timeline.hinge) {
         const Hinge& hinge = *scene.timeline.hinge;
         json["hinge"] = {{"centre", {hinge.centre.x(), hinge.centre.y(), hinge.centre.z()}},

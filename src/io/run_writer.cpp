@@ -5,8 +5,10 @@
 #include "fascicle/io/csv.hpp"
 #include "fascicle/io/fibre_files.hpp"
 #include "fascicle/io/files.hpp"
+#include "fascicle/io/line_table.hpp"
 #include "fascicle/io/mesh_file.hpp"
 #include "fascicle/metrics/metric_table.hpp"
+#include "fascicle/scene/line_muscles.hpp"
 #include "io/formats/pvd.hpp"
 #include "io/formats/vtp.hpp"
 #include "io/run_files.hpp"
@@ -59,7 +61,7 @@ const fs::path& RunWriter::Impl::checked(const fs::path& folder, const Scene& sc
         const fs::path found = fs::weakly_canonical(path, code);
         return code ? path : found;
     };
-    for (const char* name : {"summary.json", "metrics.csv", "motion.csv", "fibres.csv"})
+    for (const char* name : {"summary.json", "metrics.csv", "motion.csv", "fibres.csv", "lines.csv"})
         outputs.insert(canonical(folder / name));
     for (const Bone& bone : scene.bones)
         outputs.insert(canonical(folder / io::bone_file(bone.name)));
@@ -79,6 +81,8 @@ const fs::path& RunWriter::Impl::checked(const fs::path& folder, const Scene& sc
                         "another output folder", ErrorKind::usage);
     };
     check(scene.motion_source);
+    if (scene.line_muscles != nullptr)
+        check(scene.line_muscles->source);
     for (const Bone& bone : scene.bones)
         check(bone.source);
     for (const Muscle& muscle : scene.muscles) {
@@ -277,6 +281,10 @@ void RunWriter::finish(const Recording& recording, const std::vector<const Fibre
         }
     }
     me.write_fibres(recording, series);
+    if (me.scene->line_muscles != nullptr)
+        write_line_table(me.folder / "lines.csv", line_series(recording));
+    else
+        remove_line_table(me.folder / "lines.csv"); // of an earlier run in the same folder
     me.metrics_file.commit();
     me.motion_file.commit();
     write_file(me.folder / "summary.json", io::run_summary(recording, me.options, me.vtp_frames));

@@ -189,6 +189,23 @@ void add_joint_axis(render::DrawList& list, const ViewSubject& subject, const Vi
     list.lines.push_back(std::move(line));
 }
 
+// Line muscles run inside of surfaces that they know nothing of: once hidden by them, once faintly over them.
+void add_line_muscles(render::DrawList& list, const ViewSubject& subject, const ViewOptions& options,
+                      DrawCache& cache) {
+    if (!options.line_muscles || subject.scene->line_muscles == nullptr)
+        return;
+    render::LineItem line;
+    line.points = cache.line_paths(subject.scene, subject.frame);
+    if (line.points->empty())
+        return;
+    line.colour = palette::line_muscle;
+    line.width_px = 2.0f;
+    list.lines.push_back(line);
+    line.colour[3] = 0.4f;
+    line.on_top = true;
+    list.lines.push_back(std::move(line));
+}
+
 } // namespace
 
 std::uint64_t bone_item_id(std::size_t bone) {
@@ -222,6 +239,7 @@ render::DrawList build_draw_list(const ViewSubject& subject, const ViewOptions& 
     for (std::size_t i = 0; i < subject.scene->muscles.size(); ++i)
         if (options.muscle_visible(i) && subject.scene->muscles[i].mesh)
             add_muscle(list, subject, options, cache, i);
+    add_line_muscles(list, subject, options, cache);
     add_joint_axis(list, subject, options, cache);
     return list;
 }

@@ -37,7 +37,8 @@ struct ViewOptions {
     ColourScale stretch_scale{ColourMap::diverging, 0.7, 1.3, 1.0};
     bool fibres = true; ///< where the muscle lets them be seen: translucent, or coloured by them
     bool joint_axis = true;
-    bool rest_ghost = false; ///< muscles at rest, faint, behind those of a later frame
+    bool line_muscles = true; ///< of the scene's model, as lines
+    bool rest_ghost = false;  ///< muscles at rest, faint, behind those of a later frame
     bool wireframe = false;
     float bone_opacity = 1.0f;
     float muscle_opacity = 1.0f;

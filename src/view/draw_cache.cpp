@@ -254,6 +254,27 @@ BorderLines DrawCache::fibre_lines(std::size_t muscle, const MeshPtr& mesh, cons
     return entry.fibre_lines;
 }
 
+FloatPoints DrawCache::line_paths(const ScenePtr& scene, const FramePtr& frame) {
+    if (line_paths_ && lines_scene_ == scene && lines_frame_ == frame)
+        return line_paths_;
+    if (lines_ == nullptr || lines_scene_ != scene)
+        lines_ = std::make_unique<LineTracker>(*scene);
+    lines_scene_ = scene;
+    lines_frame_ = frame;
+    lines_->set_frame(frame.get());
+    auto ends = std::make_shared<std::vector<render::Vec3f>>();
+    for (std::size_t m = 0; m < lines_->muscle_count(); ++m) {
+        const Points path = lines_->measure(m, true).polyline;
+        for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+            ends->push_back(narrow(path[i]));
+            ends->push_back(narrow(path[i + 1]));
+        }
+    }
+    line_paths_ = ends;
+    ++computed_;
+    return line_paths_;
+}
+
 BorderLines DrawCache::attachment_border(std::size_t muscle, const MeshPtr& mesh,
                                          const std::vector<Attachment>& attachments,
                                          const PointsPtr& points) {

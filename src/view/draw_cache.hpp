@@ -3,6 +3,7 @@
 
 #include "fascicle/geometry/bounding_box.hpp"
 #include "fascicle/geometry/mesh_topology.hpp"
+#include "fascicle/metrics/line_tracker.hpp"
 #include "fascicle/scene/recording.hpp"
 #include "render/draw_list.hpp"
 #include "view/attachment_marks.hpp"
@@ -54,6 +55,9 @@ public:
     BorderLines fibre_lines(std::size_t muscle, const MeshPtr& mesh, const FibreModelPtr& fibres,
                             const PointsPtr& rest, const PointsPtr& points, const ColourScale* scale);
 
+    /// Segments of the scene's line muscles in a frame, null: at rest. The scene has some.
+    FloatPoints line_paths(const ScenePtr& scene, const FramePtr& frame);
+
     /// Box of all meshes of the scene at rest, shown or not.
     BoundingBox rest_bounds(const Scene& scene);
 
@@ -94,6 +98,10 @@ private:
     SurfaceArrays make_surface(const Points& points, const TriMesh& mesh);
 
     std::vector<Object> bones_, muscles_;
+    std::unique_ptr<LineTracker> lines_;
+    ScenePtr lines_scene_;
+    FramePtr lines_frame_;
+    FloatPoints line_paths_;
     BoneDistanceCache distances_;
     int computed_ = 0;
 };

@@ -1,5 +1,6 @@
 #include "fascicle/base/error.hpp"
 #include "render/drawing.hpp"
+#include "support/line_model.hpp"
 #include "support/shapes.hpp"
 #include "view/build_draw_list.hpp"
 #include "view/render_picture.hpp"
@@ -343,4 +344,38 @@ TEST_CASE("Golden: a scene at rest, deformed, strained and transparent", "[view]
     options.rest_ghost = true;
     options.wireframe = true;
     check(options, "scene_ghost_wireframe");
+}
+
+TEST_CASE("Line muscles are drawn where the bones of the frame take them, once faintly over everything",
+          "[view]") {
+    Scene arm = arm_scene(0.8);
+    std::vector<std::string> notes;
+    arm.line_muscles = std::make_shared<const LineMuscles>(
+        place_line_muscles(std::make_shared<const LineModel>(arm_model()), arm, "arm", notes));
+    const auto scene = std::make_shared<const Scene>(arm);
+    ViewSubject subject = subject_of(scene);
+    ViewOptions options;
+    options.joint_axis = false;
+    DrawCache cache;
+    const auto lines = [&] { return build_draw_list(subject, options, {}, cache).lines; };
+    const auto end = [&] { return lines().at(0).points->at(1); };
+    REQUIRE(lines().size() == 2);
+    CHECK_FALSE(lines()[0].on_top);
+    CHECK(lines()[1].on_top);
+    CHECK(lines()[1].colour[3] < 0.5f);
+    CHECK(lines()[0].points->size() == 2);
+    CHECK(lines()[0].points->at(0)[0] == Approx(200));
+    CHECK(end()[1] == Approx(50));
+    Frame frame;
+    frame.index = 10;
+    frame.angle_rad = 0.8;
+    frame.bone_poses = {scene->timeline.bone_pose(0, 10), scene->timeline.bone_pose(1, 10)};
+    subject.frame = std::make_shared<const Frame>(frame);
+    CHECK(end()[0] == Approx(-50 * std::sin(0.8)));
+    CHECK(end()[1] == Approx(50 * std::cos(0.8)));
+    const int computed = cache.computed();
+    lines();
+    CHECK(cache.computed() == computed);
+    options.line_muscles = false;
+    CHECK(lines().empty());
 }

@@ -52,6 +52,8 @@ public:
     /// Exact for any path of least length: tangent points slide without changing it, so they count as fixed to the wrap
     /// object's body. Points that are there stay there. Of solve's last path; posture must be the same.
     double moment_arm(int coordinate, const Posture& posture);
+    /// The same for any motion of the bodies, one twist each; rates: of the coordinates, for points that move with them.
+    double moment_arm(std::span<const Twist> twists, std::span<const double> rates, const Posture& posture);
 
     /// The same by a central difference, -(L(q + h) - L(q - h)) / 2h, active points held still. Error below 1e-7 m for
     /// h = 1e-4 and paths of less than a metre, where wraps neither begin nor end within h; the check of the above.

@@ -29,7 +29,8 @@ struct SceneRequest {
     std::vector<std::pair<std::string, std::filesystem::path>> attachments;    ///< muscle name, CSV
     std::vector<std::pair<std::string, std::filesystem::path>> surface_fibres; ///< muscle name, polylines
     std::vector<std::pair<std::string, std::filesystem::path>>
-        fibre_templates; ///< muscle name, JSON; of any source
+        fibre_templates;         ///< muscle name, JSON; of any source
+    std::filesystem::path lines; ///< --lines MODEL.osim: line muscles beside the others, of any source
     std::optional<LengthUnit> unit;
     int threads = 1; ///< for reading and for making embedded scenes; changes nothing in the result
 };
@@ -68,6 +69,9 @@ void load_surface_fibres(Muscle& muscle, const std::filesystem::path& path, std:
 void load_fibre_template(Muscle& muscle, const std::filesystem::path& path);
 /// Replaces the scene's timeline by that of a motion file (motion_file.hpp).
 void load_motion(Scene& scene, const std::filesystem::path& path, std::vector<std::string>& notes);
+
+/// Puts the line muscles of an OpenSim model into the scene (place_line_muscles), in place of those that it has.
+void load_line_muscles(Scene& scene, const std::filesystem::path& path, std::vector<std::string>& notes);
 
 /// Metres when the diagonal of all meshes together is below 5, else millimetres.
 LengthUnit guess_unit(const Scene& scene);

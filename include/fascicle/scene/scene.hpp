@@ -55,6 +55,8 @@ struct Muscle {
 /// Whether any area of the muscle has a vertex: areas that are not painted yet do not count.
 bool has_painted_areas(const Muscle& muscle);
 
+struct LineMuscles; // scene/line_muscles.hpp
+
 struct Scene {
     std::string name = "scene";
     std::string embedded_name; ///< name in embedded_scenes(), empty when made from files
@@ -63,6 +65,8 @@ struct Scene {
     std::vector<Muscle> muscles;
     /// Templates that fibres.template may name, by their keys; null: parallel alone.
     std::shared_ptr<const std::vector<FibreTemplate>> fibre_templates;
+    /// Line-segment muscles of a model, for comparison: not simulated. null: none.
+    std::shared_ptr<const LineMuscles> line_muscles;
     Timeline timeline;
     MeshSource motion_source; ///< the file that the timeline came from; empty: from none
     ParamSet parameters = default_parameters();

@@ -115,6 +115,9 @@ void print_table(const std::string& method, const std::vector<Row>& rows) {
 int fibres(const FibresOptions& options) {
     if (options.out.empty())
         throw_error("fibres", "no output folder", "--out DIR", ErrorKind::usage);
+    if (!options.source.request.lines.empty())
+        throw_error("--lines", "fibres at rest are made without line muscles",
+                    "'fascicle simulate' or 'fascicle render' for it", ErrorKind::usage);
     LoadedScene loaded = load(options.source, options.solve);
     Scene& scene = loaded.scene;
     choose_method(scene);

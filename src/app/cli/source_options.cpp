@@ -61,6 +61,8 @@ void add_source_options(CLI::App& app, SourceOptions& options) {
     add(app, options, "--fibre-template", "MUSCLE=FILE.json",
         "A template of your own, instead of fibres.template", true,
         into(r.fibre_templates, "--fibre-template"));
+    add(app, options, "--lines", "MODEL.osim", "Line muscles of an OpenSim model, beside the muscles", false,
+        [&r](const std::string& text) { r.lines = text; });
     add(app, options, "--units", "mm|m", "Length unit of the files; told from their size otherwise", false,
         [&r](const std::string& text) { r.unit = parse_unit(text); });
 }

@@ -1,6 +1,7 @@
 #include "fascicle/document/actions/scene_actions.hpp"
 
 #include "document/actions/hinge_track.hpp"
+#include "fascicle/scene/line_muscles.hpp"
 
 #include <algorithm>
 
@@ -80,7 +81,14 @@ void remove_muscle(Document& document, int muscle) {
 bool rename_bone(Document& document, int bone, const std::string& name) {
     if (name.empty() || taken(document.scene(), name))
         return false;
-    checked(document.edit().bones, bone).name = name;
+    Scene& scene = document.edit();
+    std::string& own = checked(scene.bones, bone).name;
+    if (scene.line_muscles != nullptr) { // they know their bones by name
+        auto lines = std::make_shared<LineMuscles>(*scene.line_muscles);
+        std::replace(lines->bone_of_body.begin(), lines->bone_of_body.end(), own, name);
+        scene.line_muscles = std::move(lines);
+    }
+    own = name;
     return document.commit("Rename bone to " + name);
 }
 

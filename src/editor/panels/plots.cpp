@@ -2,14 +2,19 @@
 
 #include "editor/frame_axis.hpp"
 #include "editor/widgets/plot.hpp"
+#include "fascicle/metrics/line_series.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 namespace fascicle::editor {
 
 namespace {
+
+/// In the legend, and in EditorState::hidden_curves.
+constexpr const char* all_lines = "line muscles";
 
 /// A plot: a metric, and the metrics that make its band.
 struct PlotRow {
@@ -20,7 +25,8 @@ struct PlotRow {
     const char* high_key;
     std::optional<double> reference;
     double least_span;
-    bool of_fibres = false; ///< shown where a run has fibres
+    bool of_fibres = false; ///< shown where a run has fibres, or the scene line muscles
+    std::vector<double> LineSeries::*of_lines = nullptr; ///< what line muscles have of it
 };
 
 const std::vector<PlotRow>& plot_rows() {
@@ -31,9 +37,9 @@ const std::vector<PlotRow>& plot_rows() {
         {"plot/dihedral_change", "dihedral_change_mean_rad", "Mean dihedral change", nullptr, nullptr,
          std::nullopt, 0.01},
         {"plot/fibre_length", "fibre_length_mean_mm", "Fibre length", "fibre_length_p5_mm",
-         "fibre_length_p95_mm", std::nullopt, 1.0, true},
+         "fibre_length_p95_mm", std::nullopt, 1.0, true, &LineSeries::lengths_mm},
         {"plot/moment_arm", "moment_arm_mean_mm", "Moment arm", "moment_arm_p5_mm", "moment_arm_p95_mm", 0.0,
-         1.0, true},
+         1.0, true, &LineSeries::moment_arms_mm},
     };
     return rows;
 }
@@ -68,7 +74,8 @@ class Plots : public Panel {
 public:
     void draw(EditorContext& context, const Rect& area) override {
         std::vector<PlotRow> rows = plot_rows();
-        if (!has_fibres(context))
+        follow_lines(context.document.head());
+        if (!has_fibres(context) && lines_.muscles.empty())
             std::erase_if(rows, [](const PlotRow& row) { return row.of_fibres; });
         follow_timeline(context);
         const int columns =
@@ -102,6 +109,44 @@ private:
         }
     }
 
+    /// Line muscles go as the motion is planned, so their curves are there before any run.
+    void follow_lines(const ScenePtr& scene) {
+        if (scene == lines_scene_)
+            return;
+        lines_scene_ = scene;
+        lines_ = line_series(*scene);
+    }
+
+    /// One entry of the legend stands for all of them.
+    void add_line_curves(const EditorContext& context, const PlotRow& row, PlotInput& input) const {
+        const std::size_t muscles = lines_.muscles.size();
+        if (row.of_lines == nullptr || muscles == 0)
+            return;
+        const auto at = static_cast<std::size_t>(std::max(0.0, std::round(context.playhead())));
+        const bool hidden = context.state.hidden_curves.count(all_lines) != 0;
+        PlotCurve entry;
+        entry.name = all_lines;
+        entry.colour = context.theme.text_faint;
+        entry.hidden = hidden;
+        input.curves.push_back(entry);
+        input.tooltip += "\nDashed: line muscles of the model.";
+        for (std::size_t m = 0; m < muscles; ++m) {
+            PlotCurve curve;
+            curve.name = lines_.muscles[m];
+            curve.colour = muted_curve_colour(context.theme, static_cast<int>(m));
+            curve.dashed = true;
+            curve.hidden = hidden;
+            for (std::size_t k = 0; k < lines_.frames.size(); ++k)
+                curve.y.push_back((lines_.*row.of_lines)[k * muscles + m]);
+            if (at < curve.y.size()) {
+                char value[32];
+                std::snprintf(value, sizeof value, ": %.2f", curve.y[at]);
+                input.tooltip += '\n' + curve.name + value;
+            }
+            input.curves.push_back(std::move(curve));
+        }
+    }
+
     static void add_curves(const EditorContext& context, const PlotRow& row, PlotInput& input) {
         const MetricValues& now = context.metrics.current();
         const auto& earlier = context.metrics.earlier();
@@ -131,7 +176,7 @@ private:
         }
     }
 
-    static void draw_one(EditorContext& context, const PlotRow& row, const Rect& rect) {
+    void draw_one(EditorContext& context, const PlotRow& row, const Rect& rect) {
         EditorState& state = context.state;
         const Scene& scene = context.document.scene();
         const int index = metric_index(row.key);
@@ -156,6 +201,7 @@ private:
         input.least_span = row.least_span;
         input.empty_text = scene.muscles.empty() ? "No muscle" : "No frames yet";
         add_curves(context, row, input);
+        add_line_curves(context, row, input);
 
         const PlotResult result =
             draw_plot(row.id, rect, input, state.plot_range, context.theme, context.scale());
@@ -181,7 +227,12 @@ private:
         for (const Muscle& muscle : scene.muscles)
             if (muscle.name != name)
                 state.hidden_curves.insert(muscle.name);
+        if (name != all_lines)
+            state.hidden_curves.insert(all_lines);
     }
+
+    ScenePtr lines_scene_;
+    LineSeries lines_; ///< of lines_scene_
 };
 
 } // namespace

@@ -108,12 +108,35 @@ void draw_band(ImDrawList& list, const Axes& axes, const PlotCurve& curve) {
     }
 }
 
+/// Dashes and gaps of one length along the polyline, whatever its points are apart.
+void draw_dashes(ImDrawList& list, const std::vector<ImVec2>& points, ImU32 colour, float thickness,
+                 float length) {
+    float along = 0; // since the first point, modulo a dash and a gap
+    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+        const ImVec2 a = points[k], b = points[k + 1];
+        const float whole = std::hypot(b.x - a.x, b.y - a.y);
+        for (float done = 0; done < whole;) {
+            const bool dash = along < length;
+            const float piece = std::min(whole - done, std::max((dash ? length : 2 * length) - along, 0.01f));
+            const auto at = [&](float s) {
+                return ImVec2(a.x + (b.x - a.x) * s / whole, a.y + (b.y - a.y) * s / whole);
+            };
+            if (dash)
+                list.AddLine(at(done), at(done + piece), colour, thickness);
+            done += piece;
+            along = along + piece >= 2 * length - 0.01f ? 0 : along + piece;
+        }
+    }
+}
+
 void draw_line(ImDrawList& list, const Axes& axes, const PlotCurve& curve, float scale) {
     const ImU32 colour = curve.ghost ? with_alpha(curve.colour, 0.35f) : curve.colour;
-    const float thickness = (curve.ghost ? 1.0f : 1.8f) * scale;
+    const float thickness = (curve.ghost ? 1.0f : curve.dashed ? 1.3f : 1.8f) * scale;
     std::vector<ImVec2> points;
     const auto flush = [&] {
-        if (points.size() > 1)
+        if (points.size() > 1 && curve.dashed)
+            draw_dashes(list, points, colour, thickness, 5 * scale);
+        else if (points.size() > 1)
             list.AddPolyline(points.data(), static_cast<int>(points.size()), colour, 0, thickness);
         else if (points.size() == 1)
             list.AddCircleFilled(points[0], thickness * 1.4f, colour);
@@ -128,6 +151,45 @@ void draw_line(ImDrawList& list, const Axes& axes, const PlotCurve& curve, float
     flush();
 }
 
+/// Names of dashed curves over the right end of the plot, one below the other where they are close; none where there is no
+/// room.
+void draw_end_names(ImDrawList& list, const Axes& axes, const std::vector<PlotCurve>& curves,
+                    const Theme& theme, float line_height, float scale) {
+    struct Name {
+        float y;
+        const PlotCurve* curve;
+    };
+    std::vector<Name> names;
+    const auto k = static_cast<std::size_t>(std::max(0.0, std::floor(axes.x1)));
+    for (const PlotCurve& curve : curves)
+        if (curve.dashed && !curve.hidden && k < curve.y.size() && std::isfinite(curve.y[k]))
+            names.push_back({axes.y(curve.y[k]), &curve});
+    const float step = line_height * 0.95f;
+    float widest = 0;
+    for (const Name& name : names)
+        widest = std::max(widest, text_size(name.curve->name).x);
+    if (widest > 0.4f * axes.area.width() || step * static_cast<float>(names.size()) > axes.area.height())
+        return;
+    std::stable_sort(names.begin(), names.end(), [](const Name& a, const Name& b) { return a.y < b.y; });
+    float below = axes.area.min.y + step / 2;
+    for (Name& name : names) {
+        name.y = std::max(name.y, below);
+        below = name.y + step;
+    }
+    float above = axes.area.max.y - step / 2;
+    for (auto name = names.rbegin(); name != names.rend(); ++name) {
+        name->y = std::min(name->y, above);
+        above = name->y - step;
+    }
+    for (const Name& name : names) {
+        const ImVec2 size = text_size(name.curve->name);
+        const ImVec2 at{axes.area.max.x - size.x - 4 * scale, std::round(name.y - size.y / 2)};
+        list.AddRectFilled({at.x - 2 * scale, at.y}, {at.x + size.x + 2 * scale, at.y + size.y},
+                           with_alpha(theme.plot, 0.5f));
+        draw_text(list, at, name.curve->colour, name.curve->name);
+    }
+}
+
 struct LegendItem {
     std::size_t curve;
     std::string name, value;
@@ -140,7 +202,7 @@ std::vector<LegendItem> legend_items(const PlotInput& input, double frame, float
     float values = 0, longest = 0;
     for (std::size_t i = 0; i < input.curves.size(); ++i) {
         const PlotCurve& curve = input.curves[i];
-        if (curve.ghost)
+        if (curve.ghost || curve.dashed)
             continue;
         const auto k = static_cast<std::size_t>(std::max(0.0, std::round(frame)));
         items.push_back(
@@ -293,6 +355,7 @@ PlotResult draw_plot(const char* id, const Rect& rect, const PlotInput& input, P
     for (const PlotCurve& curve : input.curves)
         if (!curve.ghost && !curve.hidden)
             draw_line(list, axes, curve, scale);
+    draw_end_names(list, axes, input.curves, theme, line, scale);
     if (input.hover) {
         const float x = std::round(axes.x(*input.hover));
         list.AddLine({x, axes.area.min.y}, {x, axes.area.max.y}, theme.hover_line, scale);

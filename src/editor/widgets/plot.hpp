@@ -17,6 +17,7 @@ struct PlotCurve {
     std::vector<double> y, low, high;
     bool ghost = false;  ///< of an earlier run: thin, pale, not in the legend
     bool hidden = false; ///< stays in the legend
+    bool dashed = false; ///< thin, in pieces; named at its end instead of in the legend
 };
 
 /// Visible frames, shared.
