@@ -15,9 +15,9 @@ struct PlotCurve {
     std::string name;
     ImU32 colour = 0;
     std::vector<double> y, low, high;
-    bool dashed = false; ///< thin, in pieces; named at its end instead of in the legend
     bool ghost = false;  ///< of an earlier run: thin, pale, not in the legend
     bool hidden = false; ///< stays in the legend
+    bool dashed = false; ///< thin, in pieces; named at its end instead of in the legend
 };
 
 /// Visible frames, shared.
