@@ -94,7 +94,8 @@ TEST_CASE("fibre template: faults are named", "[anatomy][fibres]") {
     CHECK_THAT(fault(with_polygons({{0, line, 0}, {1, line, 1}})), Catch::Contains("weight is 0"));
     CHECK_THAT(fault(with_polygons({{0, line, 1}, {1, {{0, 1}, {0, 0}}, 1}})),
                Catch::Contains("front[1]") && Catch::Contains("insertion"));
-    CHECK_THAT(fault(with_polygons({{0, {{0, 0.5}, {1, 0.5}}, 1}, {1, line, 1}})), Catch::Contains("front[0]"));
+    CHECK_THAT(fault(with_polygons({{0, {{0, 0.5}, {1, 0.5}}, 1}, {1, line, 1}})),
+               Catch::Contains("front[0]"));
     CHECK_THAT(fault(with_polygons({{0, line, 1}, {1, {{0, 0}, {0, 0.3}, {0, 0.6}, {0, 1}}, 1}})),
                Catch::Contains("2 and 4 points"));
     CHECK_THAT(fault(with_polygons({{0, line, 1}, {1, line, 1}}, {{0, line, 1}})), Catch::Contains("back"));
