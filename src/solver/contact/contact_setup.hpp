@@ -10,7 +10,7 @@ namespace fascicle::solver {
 
 /// Faces are sampled at least this densely: a bone's ridge of 5 mm radius stands 0.4 mm out of a chord of 4 mm.
 inline constexpr double face_spacing_mm = 4.0;
-inline constexpr double edge_spacing_mm = 2.0;
+inline constexpr double edge_spacing_mm = 2.5;
 
 inline ContactSettings contact_settings(const SoftBodyProblem& problem) {
     ContactSettings settings;
