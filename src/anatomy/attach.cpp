@@ -1,5 +1,7 @@
 #include "fascicle/anatomy/attach.hpp"
 
+#include "fascicle/geometry/inside_polygon.hpp"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -47,18 +49,6 @@ struct PrincipalPlane {
 
     Vec3 origin, u, v;
 };
-
-/// Even-odd rule.
-bool inside_polygon(const Vec2& p, const std::vector<Vec2>& polygon) {
-    bool inside = false;
-    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-        const Vec2 &a = polygon[i], &b = polygon[j];
-        if ((a.y() > p.y()) != (b.y() > p.y()) &&
-            p.x() < (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()) + a.x())
-            inside = !inside;
-    }
-    return inside;
-}
 
 double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 normal = (b - a).cross(c - a);

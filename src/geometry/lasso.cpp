@@ -1,22 +1,12 @@
 #include "fascicle/geometry/lasso.hpp"
 
+#include "fascicle/geometry/inside_polygon.hpp"
+
 #include <Eigen/LU>
 #include <algorithm>
 
 namespace fascicle {
 namespace {
-
-/// Even-odd rule.
-bool inside_polygon(const Vec2& p, const std::vector<Vec2>& polygon) {
-    bool inside = false;
-    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-        const Vec2 &a = polygon[i], &b = polygon[j];
-        if ((a.y() > p.y()) != (b.y() > p.y()) &&
-            p.x() < (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()) + a.x())
-            inside = !inside;
-    }
-    return inside;
-}
 
 Vec3 towards(const ScreenEye& eye, const Vec3& p) {
     return eye.parallel ? eye.place : Vec3(eye.place - p);
