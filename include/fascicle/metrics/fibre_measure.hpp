@@ -27,6 +27,9 @@ public:
     const FibreSeries& series() const { return series_; }
 
 private:
+    /// What frame k of a series tells.
+    void read(const FibreSeries& series, int k, double volume);
+
     int muscle_;
     FibreModelPtr model_;
     FibreSet fibres_;
