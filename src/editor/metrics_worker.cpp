@@ -102,7 +102,10 @@ void MetricsWorker::finish() {
     {
         std::unique_lock lock(mutex_);
         changed_.notify_all();
-        changed_.wait(lock, [&] { return measured_ >= wanted || !error_.empty(); });
+        changed_.wait(lock, [&] {
+            return (measured_ >= wanted && (!stale_ || followed_->state() == RunState::running)) ||
+                   !error_.empty();
+        });
     }
     take();
 }
@@ -117,7 +120,6 @@ void MetricsWorker::work() {
     RecordingPtr recording;
     std::unique_ptr<MetricsEngine> engine;
     int next = 0;
-    bool stale = false; // frames were measured that the rows of the whole run do not know yet
     Clock::time_point refreshed{};
     std::unique_lock lock(mutex_);
     while (!quit_) {
@@ -125,11 +127,11 @@ void MetricsWorker::work() {
             recording = wanted_;
             engine.reset();
             next = 0;
-            stale = false;
+            stale_ = false;
         }
         const bool waiting = recording == nullptr || recording->frame_count() <= next;
         // While a run goes on now and then, at its end at once: finish() waits for it.
-        if (waiting && stale && engine != nullptr &&
+        if (waiting && stale_ && engine != nullptr &&
             (recording->state() != RunState::running || Clock::now() - refreshed > over_run_interval)) {
             lock.unlock();
             auto values = over_run_values(*engine, recording->scene().muscles.size(), next);
@@ -138,8 +140,7 @@ void MetricsWorker::work() {
             if (wanted_ != recording)
                 continue;
             over_run_ = std::move(values);
-            stale = false;
-            measured_ = next;
+            stale_ = false;
             changed_.notify_all();
             continue;
         }
@@ -165,11 +166,8 @@ void MetricsWorker::work() {
             wanted_ = recording = nullptr;
         } else {
             fresh_.push_back(std::move(row));
-            stale = true;
-            // The last frame counts as measured when the rows of the whole run are, too.
-            ++next;
-            if (recording->state() == RunState::running || next < recording->frame_count())
-                measured_ = next;
+            measured_ = ++next;
+            stale_ = true;
         }
         changed_.notify_all();
     }

@@ -58,9 +58,10 @@ private:
     /// Of the frames so far, the rows that the whole run decides (MetricRow::over_run), in their order: [frame][muscle][which]; empty: nothing
     /// new. Guarded by mutex_.
     std::vector<std::vector<std::vector<double>>> over_run_;
-    int measured_ = 0;  ///< guarded by mutex_
-    std::string error_; ///< guarded by mutex_
-    bool quit_ = false; ///< guarded by mutex_
+    int measured_ = 0;   ///< guarded by mutex_
+    bool stale_ = false; ///< frames were measured that over_run_ does not know yet; guarded by mutex_
+    std::string error_;  ///< guarded by mutex_
+    bool quit_ = false;  ///< guarded by mutex_
     std::thread thread_;
 };
 
