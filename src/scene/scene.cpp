@@ -28,6 +28,12 @@ bool has_painted_areas(const Muscle& muscle) {
                        [](const AttachmentArea& area) { return !area.vertices.empty(); });
 }
 
+AttachmentKind attachment_end(const Scene& scene, const Attachment& attachment) {
+    if (attachment.kind != AttachmentKind::unknown)
+        return attachment.kind;
+    return scene.timeline.moves(attachment.bone) ? AttachmentKind::insertion : AttachmentKind::origin;
+}
+
 int Scene::bone_index(std::string_view bone_name) const {
     return index_of(bones, bone_name);
 }

@@ -11,11 +11,6 @@ namespace fascicle {
 
 namespace {
 
-bool bone_moves(const Scene& scene, int bone) {
-    const auto b = static_cast<std::size_t>(bone);
-    return b < scene.timeline.bone_tracks.size() && scene.timeline.bone_tracks[b].moves();
-}
-
 /// Of the muscle's own template file, else of those that come with the program.
 const FibreTemplate* find_template(const Scene& scene, const Muscle& muscle) {
     if (muscle.fibre_template != nullptr)
@@ -66,10 +61,7 @@ std::vector<AttachmentPatch> fibre_patches(const Scene& scene, const Muscle& mus
         if (attachment.bone < 0 || attachment.vertices.empty())
             continue;
         AttachmentPatch patch;
-        patch.kind = attachment.kind;
-        if (patch.kind == AttachmentKind::unknown)
-            patch.kind =
-                bone_moves(scene, attachment.bone) ? AttachmentKind::insertion : AttachmentKind::origin;
+        patch.kind = attachment_end(scene, attachment);
         patch.vertices = attachment.vertices;
         patch.name = std::string(to_text(patch.kind)) + " on '" +
                      scene.bones[static_cast<std::size_t>(attachment.bone)].name + "'";

@@ -11,13 +11,6 @@ namespace fascicle {
 
 namespace {
 
-/// 0 at the origin's end, 1 at the insertion's; an attachment of unknown kind counts by whether its bone moves.
-double field_value(const Attachment& attachment, const std::vector<BoneQuery>& bones) {
-    if (attachment.kind == AttachmentKind::unknown)
-        return bones[static_cast<std::size_t>(attachment.bone)].moves ? 1.0 : 0.0;
-    return attachment.kind == AttachmentKind::insertion ? 1.0 : 0.0;
-}
-
 std::vector<double> weights_by_distance(const Muscle& muscle, const std::vector<BoneQuery>& bones) {
     const std::size_t count = bones.size();
     std::vector<double> weights(muscle.mesh->positions.size() * count, 0.0);
@@ -36,9 +29,9 @@ std::vector<double> weights_by_distance(const Muscle& muscle, const std::vector<
 
 } // namespace
 
-Points muscle_edge_tangents(const Muscle& muscle, const MeshTopology& topology,
-                            const std::vector<Attachment>& attachments, const std::vector<BoneQuery>& bones,
-                            const FibreModel* fibres, bool harmonic) {
+Points muscle_edge_tangents(const Scene& scene, const Muscle& muscle, const MeshTopology& topology,
+                            const std::vector<Attachment>& attachments, const FibreModel* fibres,
+                            bool harmonic) {
     if (muscle.surface_fibres)
         return edge_tangents_from_fibres(*muscle.mesh, topology, *muscle.surface_fibres);
     if (fibres != nullptr)
@@ -47,7 +40,7 @@ Points muscle_edge_tangents(const Muscle& muscle, const MeshTopology& topology,
     std::vector<double> values(fixed.size(), 0.0);
     bool low = false, high = false;
     for (const Attachment& attachment : attachments) {
-        const double value = field_value(attachment, bones);
+        const double value = attachment_end(scene, attachment) == AttachmentKind::insertion ? 1.0 : 0.0;
         (value > 0.5 ? high : low) = true;
         for (const int v : attachment.vertices) {
             fixed[static_cast<std::size_t>(v)] = true;

@@ -10,9 +10,9 @@ namespace fascicle {
 /// Unit tangents of the fibres at each edge, zero where none is known: from the superficial fibres, else from the muscle's `fibres`
 /// (null: it has none), else from the harmonic field between origin (0) and insertion (1) when `harmonic` allows. Empty when there
 /// is neither.
-Points muscle_edge_tangents(const Muscle& muscle, const MeshTopology& topology,
-                            const std::vector<Attachment>& attachments, const std::vector<BoneQuery>& bones,
-                            const FibreModel* fibres, bool harmonic);
+Points muscle_edge_tangents(const Scene& scene, const Muscle& muscle, const MeshTopology& topology,
+                            const std::vector<Attachment>& attachments, const FibreModel* fibres,
+                            bool harmonic);
 
 /// (u . v)^2 per edge, u its direction at rest, v its tangent; 0 where the tangent is zero. Empty without tangents.
 std::vector<double> edge_alignment(const TriMesh& mesh, const MeshTopology& topology, const Points& tangents);

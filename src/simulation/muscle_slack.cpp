@@ -58,10 +58,8 @@ MuscleSlack::MuscleSlack(const Scene& scene, const PreparedMuscle& muscle) {
     std::vector<bool> held(bones, false), far(bones, false); // far: of the insertion's end
     for (const Attachment& attachment : muscle.attachments) {
         const auto b = static_cast<std::size_t>(attachment.bone);
-        const bool moves = b < scene.timeline.bone_tracks.size() && scene.timeline.bone_tracks[b].moves();
         held[b] = true;
-        far[b] =
-            attachment.kind == AttachmentKind::unknown ? moves : attachment.kind == AttachmentKind::insertion;
+        far[b] = attachment_end(scene, attachment) == AttachmentKind::insertion;
     }
     if (shares.empty() || std::count(held.begin(), held.end(), true) < 2 ||
         std::count(far.begin(), far.end(), true) == 0)

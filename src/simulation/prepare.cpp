@@ -104,7 +104,7 @@ PreparedBones prepare_bones(const Scene& scene, bool grids, int threads, const J
     });
     control.checkpoint("prepare", 0.1);
     for (std::size_t b = 0; b < count; ++b) {
-        const bool moves = b < scene.timeline.bone_tracks.size() && scene.timeline.bone_tracks[b].moves();
+        const bool moves = scene.timeline.moves(static_cast<int>(b));
         bones.queries.push_back(
             {[tree = &bones.trees[b]](const Vec3& p, double limit) {
                  return std::sqrt(tree->closest(p, limit * (1.0 + 1e-12)).squared_distance);
@@ -207,7 +207,7 @@ PreparedMuscle prepare_muscle(const Scene& scene, const Muscle& muscle, const So
         for (const std::string& note : prepared.fibres->notes)
             notes.push_back(muscle.name + ": " + note);
     const double anisotropy = scene.parameters.get("solver.anisotropy");
-    const Points tangents = muscle_edge_tangents(muscle, topology, prepared.attachments, bones.queries,
+    const Points tangents = muscle_edge_tangents(scene, muscle, topology, prepared.attachments,
                                                  prepared.fibres.get(), method.needs_grid);
     if (anisotropy > 0.0 && !tangents.empty())
         problem.edge_softness = edge_softness(*muscle.mesh, topology, tangents, anisotropy);

@@ -50,6 +50,11 @@ struct Timeline {
     /// Pose of a bone from its rest pose to the (fractional) frame.
     Pose bone_pose(int bone, double frame) const;
     double angle_rad(double frame) const;
+    /// Whether the bone has another pose in some frame than in another.
+    bool moves(int bone) const {
+        const auto b = static_cast<std::size_t>(bone);
+        return b < bone_tracks.size() && bone_tracks[b].moves();
+    }
 };
 
 /// Angle 0 -> angle_rad over phases.out frames, back over phases.back, then rest; the bones listed in

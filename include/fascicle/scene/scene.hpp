@@ -77,4 +77,7 @@ struct Scene {
 
 using ScenePtr = std::shared_ptr<const Scene>;
 
+/// The end of a muscle that an attachment is: its kind; one of unknown kind is an insertion when its bone moves, else an origin.
+AttachmentKind attachment_end(const Scene& scene, const Attachment& attachment);
+
 } // namespace fascicle
