@@ -2,6 +2,7 @@
 
 #include "bench/bench_cases.hpp"
 #include "bench/bullet_body.hpp"
+#include "bench/fibre_bench.hpp"
 #include "bench/frame_bench.hpp"
 #include "bench/machine_limits.hpp"
 #include "bench/paint_bench.hpp"
@@ -43,6 +44,9 @@ public:
                 report_.prepare =
                     measure_prepare(c.name, read, main_variant(), options_.threads, options_.runs, control_);
             });
+        if (wanted(options_.parts, "fibres"))
+            for (const BenchCase& bench_case : cases_)
+                measure_fibres_of(bench_case);
         if (wanted(options_.parts, "paint"))
             report_.paint = measure_paint(options_.runs, options_.is_short, control_);
         if (wanted(options_.parts, "limits"))
@@ -101,6 +105,20 @@ private:
         part.cancel = control_.cancel;
         control_.checkpoint(scene.name + ": prepare", 0.0);
         return prepare_scene(own, options_.threads.back(), part, open_cache().get());
+    }
+
+    /// Cases whose muscles have attachments: without them there are no fibres.
+    void measure_fibres_of(const BenchCase& bench_case) {
+        const Scene scene = load(bench_case);
+        const PreparedScene prepared = prepare(scene, "xpbd");
+        for (const PreparedMuscle& muscle : prepared.muscles)
+            if (muscle.attachments.size() < 2)
+                return;
+        for (LimitRow& row : measure_fibres(scene, prepared, options_.threads.back(), options_.runs,
+                                            options_.is_short, control_)) {
+            row.name = bench_case.name + ", " + row.name;
+            report_.fibres.push_back(std::move(row));
+        }
     }
 
     void measure_case(const BenchCase& bench_case) {
@@ -190,7 +208,7 @@ private:
 } // namespace
 
 const std::vector<std::string>& part_names() {
-    static const std::vector<std::string> names{"frames", "scaling", "prepare", "paint", "limits"};
+    static const std::vector<std::string> names{"frames", "scaling", "prepare", "fibres", "paint", "limits"};
     return names;
 }
 

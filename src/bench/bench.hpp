@@ -20,7 +20,7 @@ struct BenchOptions {
         false; ///< least effort that still goes through everything: for tests, figures mean nothing
 };
 
-/// frames, scaling, prepare, paint, limits
+/// frames, scaling, prepare, fibres, paint, limits
 const std::vector<std::string>& part_names();
 /// Names of all cases.
 std::vector<std::string> case_names();

@@ -47,6 +47,8 @@ void add_spread_warning(Report& report) {
         undecided += row.ns.undecided();
     for (const PrepareRow& row : report.prepare)
         undecided += row.seconds.undecided();
+    for (const LimitRow& row : report.fibres)
+        undecided += row.value.undecided();
     for (const LimitRow& row : report.paint)
         undecided += row.value.undecided();
     for (const LimitRow& row : report.limits)

@@ -88,7 +88,8 @@ struct Report {
     std::vector<FrameRow> frames;
     std::vector<ScalingRow> scaling;
     std::vector<PrepareRow> prepare;
-    std::vector<LimitRow> paint; ///< milliseconds of painting on a bone
+    std::vector<LimitRow> fibres; ///< milliseconds of making and carrying 100 fibres
+    std::vector<LimitRow> paint;  ///< milliseconds of painting on a bone
     std::vector<LimitRow> limits;
     std::vector<Skip> skipped;
     std::vector<std::string> warnings;

@@ -105,6 +105,7 @@ std::string report_json(const Report& report) {
                     {"main_case", report.main_case},
                     {"scaling", list(report.scaling, scaling_json)},
                     {"prepare", list(report.prepare, prepare_json)},
+                    {"fibres", list(report.fibres, limit_json)},
                     {"paint", list(report.paint, limit_json)},
                     {"limits", list(report.limits, limit_json)},
                     {"skipped", list(

@@ -147,6 +147,8 @@ std::string report_table(const Report& report) {
         section(report.main_case + " subdivided\n", scaling_table(report));
     if (!report.prepare.empty())
         section("from files to solvers at rest\n", prepare_table(report));
+    if (!report.fibres.empty())
+        section("", rows_table("100 fibres of 15 segments", report.fibres));
     if (!report.paint.empty())
         section("", rows_table("painting", report.paint));
     if (!report.limits.empty())
