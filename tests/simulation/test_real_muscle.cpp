@@ -6,6 +6,7 @@
 #include "fascicle/geometry/volume.hpp"
 #include "fascicle/geometry/winding_number.hpp"
 #include "fascicle/io/load_scene.hpp"
+#include "fascicle/metrics/fibre_measure.hpp"
 #include "fascicle/metrics/metric_table.hpp"
 #include "fascicle/simulation/simulation.hpp"
 #include "support/data_dir.hpp"
@@ -149,7 +150,8 @@ TEST_CASE("gluteus maximus through a hip flexion keeps its volume, stays out of 
     CHECK(rms_at(120) < 1.0);
 }
 
-TEST_CASE("iliacus: half and twice the triangles move volume and mean edge extension by less than 2 %",
+TEST_CASE("iliacus: half and twice the triangles move volume, mean edge extension and fibre length by less "
+          "than 2 %",
           "[simulation][data][slow]") {
     FASCICLE_NEED_DATA(data);
     const std::filesystem::path lhdl = data / "lhdl";
@@ -162,7 +164,8 @@ TEST_CASE("iliacus: half and twice the triangles move volume and mean edge exten
     loaded.scene.parameters.assign("contact.grid_mm=2");
     const TriMesh& mesh = *loaded.scene.muscles[0].mesh;
     const TriangleBvh surface(mesh);
-    std::vector<double> volumes, extensions;
+    loaded.scene.parameters.assign("fibres.method=kukacka");
+    std::vector<double> volumes, extensions, shortenings; // shortening: mean fibre length, flexed over rest
     for (const double factor : {0.5, 1.0, 2.0}) {
         Scene scene = loaded.scene;
         RemeshOptions options;
@@ -183,7 +186,14 @@ TEST_CASE("iliacus: half and twice the triangles move volume and mean edge exten
         }
         extensions.push_back(sum / double(topology.edges().size()));
         volumes.push_back(signed_volume(flexed, used.triangles) / signed_volume(rest, used.triangles));
+        FibreMeasure fibres(scene, 0, recording.fibres().at(0), *recording.frame(0));
+        fibres.measure(*recording.frame(0), 1.0);
+        const double long_mm = fibres.length_mm().mean;
+        fibres.measure(*recording.last_frame(), 1.0);
+        shortenings.push_back(fibres.length_mm().mean / long_mm);
         INFO("triangles " << used.triangles.size());
+        CHECK(shortenings.back() < 0.97);
+        CHECK(shortenings.back() == Approx(shortenings.front()).epsilon(0.02));
         CHECK(volumes.back() == Approx(volumes.front()).epsilon(0.02));
         CHECK(extensions.back() == Approx(extensions.front()).epsilon(0.02));
     }
