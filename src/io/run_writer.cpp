@@ -7,6 +7,7 @@
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/line_table.hpp"
 #include "fascicle/io/mesh_file.hpp"
+#include "fascicle/io/output_folder.hpp"
 #include "fascicle/metrics/metric_table.hpp"
 #include "fascicle/scene/line_muscles.hpp"
 #include "io/formats/pvd.hpp"
@@ -16,7 +17,6 @@
 
 #include <algorithm>
 #include <numbers>
-#include <set>
 
 namespace fascicle {
 namespace fs = std::filesystem;
@@ -41,9 +41,8 @@ struct RunWriter::Impl {
 
     Impl(const fs::path& where, ScenePtr what, RunOutputOptions how)
         : folder(where), scene(std::move(what)), options(std::move(how)),
-          metrics_file(checked(where, *scene) / "metrics.csv"), motion_file(where / "motion.csv") {}
+          metrics_file(without_inputs(where, *scene) / "metrics.csv"), motion_file(where / "motion.csv") {}
 
-    static const fs::path& checked(const fs::path& folder, const Scene& scene);
     void headers();
     void write_metrics(const std::vector<const FibreSeries*>& series);
     void write_fibres(const Recording& recording, const std::vector<const FibreSeries*>& series);
@@ -52,48 +51,6 @@ struct RunWriter::Impl {
     std::vector<NamedArray> attachment_arrays(std::size_t muscle) const;
     void remove_stale_frames() const;
 };
-
-/// The folder, once it is clear that no output would replace an input of the scene.
-const fs::path& RunWriter::Impl::checked(const fs::path& folder, const Scene& scene) {
-    std::set<fs::path> outputs;
-    const auto canonical = [](const fs::path& path) {
-        std::error_code code;
-        const fs::path found = fs::weakly_canonical(path, code);
-        return code ? path : found;
-    };
-    for (const char* name : {"summary.json", "metrics.csv", "motion.csv", "fibres.csv", "lines.csv"})
-        outputs.insert(canonical(folder / name));
-    for (const Bone& bone : scene.bones)
-        outputs.insert(canonical(folder / io::bone_file(bone.name)));
-    for (const Muscle& muscle : scene.muscles)
-        outputs.insert(canonical(folder / io::series_file(muscle.name)));
-    const auto check = [&](const MeshSource& source) {
-        if (source.path.empty())
-            return;
-        const fs::path path = canonical(source.path);
-        bool clash = outputs.count(path) > 0;
-        for (const Muscle& muscle : scene.muscles)
-            clash = clash || ((path.parent_path() == canonical(folder / "frames") ||
-                               path.parent_path() == canonical(folder / "fibres")) &&
-                              io::frame_of_file(path, muscle.name) >= 0);
-        if (clash)
-            throw_error(folder.string(), "the output would replace the input " + source.path,
-                        "another output folder", ErrorKind::usage);
-    };
-    check(scene.motion_source);
-    if (scene.line_muscles != nullptr)
-        check(scene.line_muscles->source);
-    for (const Bone& bone : scene.bones)
-        check(bone.source);
-    for (const Muscle& muscle : scene.muscles) {
-        check(muscle.source);
-        check(muscle.surface_fibres_source);
-        check(muscle.fibre_template_source);
-        for (const MeshSource& source : muscle.outline_files)
-            check(source);
-    }
-    return folder;
-}
 
 void RunWriter::Impl::headers() {
     motion.text("frame").text("bone");

@@ -3,7 +3,7 @@ import csv
 import json
 import unittest
 
-from program import ProgramTest, file_hashes
+from program import SOURCE_DIR, ProgramTest, file_hashes
 
 
 class FibresTest(ProgramTest):
@@ -75,6 +75,15 @@ class FibresTest(ProgramTest):
         bad = self.folder / "bad.json"
         bad.write_text('{"key": "x", "front": []}')
         self.check_error(1, ["bad.json"], *command, "--scene", "cylinder", "--fibre-template", f"strap={bad}")
+        own = self.folder / "own" / "fibres" / "strap.0000.vtp"
+        own.parent.mkdir(parents=True)
+        own.write_text("mine")
+        template = self.folder / "own" / "fibres.csv"
+        template.write_text((SOURCE_DIR / "resources/fibre_templates/fanned.json").read_text())
+        before = file_hashes(self.folder / "own")
+        self.check_error(2, ["replace the input"], "fibres", "--scene", "cylinder", "--fibre-template", f"strap={template}",
+                         "--out", self.folder / "own")
+        self.assertEqual(file_hashes(self.folder / "own"), before)
         self.assertFalse(out.exists() and any(out.iterdir()))
 
 

@@ -12,6 +12,7 @@
 #include "fascicle/io/fibre_files.hpp"
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/mesh_file.hpp"
+#include "fascicle/io/output_folder.hpp"
 #include "fascicle/simulation/prepare.hpp"
 
 #include <algorithm>
@@ -121,6 +122,7 @@ int fibres(const FibresOptions& options) {
     LoadedScene loaded = load(options.source, options.solve);
     Scene& scene = loaded.scene;
     choose_method(scene);
+    const fs::path out = without_inputs(options.out, scene);
     const std::string method = scene.parameters.get_choice("fibres.method");
     const int threads = thread_count(options.solve);
     ProgressDisplay progress = ProgressDisplay::for_user(options.quiet);
@@ -134,7 +136,6 @@ int fibres(const FibresOptions& options) {
     progress.finish();
     std::vector<Row> rows;
     std::vector<FibreSeries> series;
-    const fs::path out = options.out;
     for (std::size_t m = 0; m < scene.muscles.size(); ++m) {
         rows.push_back(make_row(scene, m, prepared.muscles[m], threads));
         series.emplace_back(scene.muscles[m].name, millimetres_per_unit(scene.unit),
