@@ -10,6 +10,7 @@
 #include "solver/fast/chunk_split.hpp"
 #include "solver/fast/fast_coarse.hpp"
 #include "solver/fast/fast_contact.hpp"
+#include "solver/fast/fast_vertices.hpp"
 #include "solver/fast/plan.hpp"
 #include "solver/fast/thread_choice.hpp"
 #include "solver/fast/worker_team.hpp"
@@ -50,15 +51,18 @@ public:
     bool uses_threads() const override { return true; }
     bool takes_planes() const override { return true; }
     void set_planes(std::span<const PointPlane> planes) override { contact_.set_planes(planes); }
-    Points last_step() const override;
-    bool set_state(const Points& positions, const Points& last_step) override;
+    Points last_step() const override { return vertices_.last_step(positions_.size()); }
+    bool set_state(const Points& positions, const Points& last_step) override {
+        FASCICLE_ASSERT(!started_ && positions.size() == positions_.size() &&
+                        last_step.size() == positions.size());
+        positions_ = positions;
+        vertices_.set_state(positions, last_step, plan_.origin);
+        return true;
+    }
     void set_active_length(double share) override;
     std::size_t state_bytes() const override;
 
 private:
-    void make_records();
-    void make_groups();
-    void make_fixed_groups();
     void run_frame(int thread, int threads, std::span<const Pose> to);
     void sweep(const ConstraintSet& set);
     template <typename Meet>
@@ -69,9 +73,8 @@ private:
     void sum_volume(std::size_t chunk);
     StepSettings settings_after_volume() const;
     void place(std::size_t chunk, const SolidStep* solids);
-    void collect(const GroupRange& range, std::span<const Pose> to);
     void sum_reports();
-    VertexArrays arrays();
+    VertexArrays arrays() { return vertices_.arrays(plan_.rings.data()); }
 
     SoftBodyProblem problem_;
     Plan plan_;
@@ -81,14 +84,9 @@ private:
     double wanted_volume_ = 0, largest_volume_step_ = 0;
     StepSettings settings_{};
 
-    std::vector<Row> records_; ///< four rows of 16 floats per group: 16 records
-    std::vector<VertexGroup> groups_;
-    std::vector<Row> slack_, carry_;
-    std::vector<FixedGroup> fixed_;
-    std::vector<std::size_t> first_fixed_; ///< by chunk, and one more
+    FastVertices vertices_;
     std::vector<VolumeSums> volume_sums_;
     std::vector<ContactSums> contact_sums_;
-    std::vector<int> vertex_of_record_; ///< -1 for padding
     WorkerTeam team_;
     FastContact contact_;
     bool started_ = false;
@@ -104,7 +102,7 @@ FastSolver::FastSolver(const SoftBodyProblem& problem, const MeshTopology& topol
                        CoarseMatrix coarse, const Kernels& kernels)
     : problem_(problem), plan_(std::move(plan)), kernels_(kernels),
       coarse_(problem, topology, std::move(coarse), plan_, kernels),
-      substeps_(passes_per_frame(problem.parameters)),
+      substeps_(passes_per_frame(problem.parameters)), vertices_(problem, plan_),
       team_(std::clamp(problem.threads, 1, static_cast<int>(plan_.interiors.size()))),
       contact_(problem, topology, plan_, kernels, team_.size()), split_(plan_.chunks.size(), team_.size()),
       positions_(problem.surface->positions) {
@@ -121,93 +119,11 @@ FastSolver::FastSolver(const SoftBodyProblem& problem, const MeshTopology& topol
     largest_volume_step_ = VolumeConstraint::max_step * std::abs(rest_volume);
     volume_sums_.resize(plan_.chunks.size());
     contact_sums_.resize(plan_.chunks.size());
-    make_records();
-    make_groups();
-    make_fixed_groups();
     // Only the arrays made of them are needed from here on.
     plan_.rest = {};
     problem_.edge_softness = {};
     problem_.edge_along = {};
     problem_.carry_weights = {};
-}
-
-void FastSolver::make_records() {
-    records_.resize(4 * plan_.groups);
-    auto* records = reinterpret_cast<float*>(records_.data());
-    // Padding gets the corners of a hinge without slivers; nothing ever moves it.
-    constexpr float corners[4][3] = {{0.5f, 1, 0}, {0.5f, -1, 0}, {0, 0, 0}, {1, 0, 0}};
-    for (std::size_t r = 0; r < plan_.records(); ++r)
-        for (std::size_t k = 0; k < 3; ++k)
-            records[4 * r + k] = corners[r % 4][k];
-    vertex_of_record_.assign(plan_.records(), -1);
-    for (std::size_t i = 0; i < plan_.rest.size(); ++i) {
-        const auto r = static_cast<std::size_t>(plan_.record_of_vertex[i]);
-        vertex_of_record_[r] = static_cast<int>(i);
-        for (std::size_t k = 0; k < 3; ++k)
-            records[4 * r + k] = static_cast<float>(plan_.rest[i][static_cast<Eigen::Index>(k)]);
-        records[4 * r + 3] = plan_.inverse_mass[r];
-    }
-}
-
-void FastSolver::make_groups() {
-    groups_.resize(plan_.groups);
-    const auto* records = reinterpret_cast<const float*>(records_.data());
-    for (std::size_t g = 0; g < plan_.groups; ++g) {
-        VertexGroup& group = groups_[g];
-        group = VertexGroup{};
-        group.ring_base = plan_.ring_base[g];
-        group.ring_first = plan_.ring_first[g];
-        group.ring_length = plan_.ring_length[g];
-        for (std::size_t i = 0; i < packet; ++i)
-            for (std::size_t k = 0; k < 3; ++k)
-                group.start[k][i] = group.carried[k][i] = records[4 * (packet * g + i) + k];
-    }
-    const std::size_t solids = problem_.solids.size();
-    slack_.assign(plan_.groups * solids, Row{});
-    if (problem_.carry_weights.empty())
-        return;
-    carry_.assign(plan_.groups * solids, Row{});
-    for (std::size_t i = 0; i < plan_.rest.size(); ++i) {
-        const auto r = static_cast<std::size_t>(plan_.record_of_vertex[i]);
-        for (std::size_t b = 0; b < solids; ++b)
-            carry_[r / packet * solids + b].v[r % packet] =
-                static_cast<float>(problem_.carry_weights[i * solids + b]);
-    }
-}
-
-void FastSolver::make_fixed_groups() {
-    std::vector<std::array<std::size_t, 3>> fixed; // group, solid, vertex
-    for (std::size_t i = 0; i < plan_.rest.size(); ++i)
-        if (problem_.body_of_vertex[i] >= 0)
-            fixed.push_back({static_cast<std::size_t>(plan_.record_of_vertex[i]) / packet,
-                             static_cast<std::size_t>(problem_.body_of_vertex[i]), i});
-    std::sort(fixed.begin(), fixed.end());
-    for (const auto& [group, solid, vertex] : fixed) {
-        if (fixed_.empty() || fixed_.back().group != group || fixed_.back().solid != solid) {
-            FixedGroup next{};
-            next.group = static_cast<std::uint32_t>(group);
-            next.solid = static_cast<std::uint32_t>(solid);
-            fixed_.push_back(next);
-        }
-        const auto lane = static_cast<std::size_t>(plan_.record_of_vertex[vertex]) % packet;
-        fixed_.back().mask |= 1u << lane;
-        for (std::size_t k = 0; k < 3; ++k)
-            fixed_.back().rest[k][lane] =
-                static_cast<float>(plan_.rest[vertex][static_cast<Eigen::Index>(k)]);
-    }
-    std::size_t next = 0;
-    for (const GroupRange& chunk : plan_.chunks) {
-        first_fixed_.push_back(next);
-        while (next < fixed_.size() && fixed_[next].group < chunk.end)
-            ++next;
-    }
-    first_fixed_.push_back(next);
-}
-
-VertexArrays FastSolver::arrays() {
-    return {reinterpret_cast<float*>(records_.data()), groups_.data(),
-            reinterpret_cast<float*>(slack_.data()),
-            carry_.empty() ? nullptr : reinterpret_cast<const float*>(carry_.data()), plan_.rings.data()};
 }
 
 void FastSolver::advance(std::span<const Pose> from, std::span<const Pose> to) {
@@ -232,14 +148,14 @@ void FastSolver::advance(std::span<const Pose> from, std::span<const Pose> to) {
 }
 
 void FastSolver::sweep(const ConstraintSet& set) {
-    float* base = reinterpret_cast<float*>(records_.data()) + 4 * set.first_record;
+    float* base = vertices_.records() + 4 * set.first_record;
     kernels_.edges(base, plan_.edges.data() + set.first_edge, set.edges);
     kernels_.hinges(base, plan_.hinges.data() + set.first_hinge, set.hinges, plan_.relax);
 }
 
 void FastSolver::place(std::size_t chunk, const SolidStep* solids) {
-    kernels_.place(arrays(), fixed_.data() + first_fixed_[chunk],
-                   first_fixed_[chunk + 1] - first_fixed_[chunk], solids);
+    const std::span<const FixedGroup> fixed = vertices_.fixed(chunk);
+    kernels_.place(arrays(), fixed.data(), fixed.size(), solids);
 }
 
 void FastSolver::sum_volume(std::size_t chunk) {
@@ -279,7 +195,7 @@ void FastSolver::correct(int thread, int threads, bool with_frames, const Chunks
         for (std::size_t i = share(count, thread); i < share(count, thread + 1); ++i)
             body(i);
     };
-    const auto* records = reinterpret_cast<const float*>(records_.data());
+    const float* records = vertices_.records();
     const std::size_t interiors = plan_.interiors.size(), interfaces = plan_.interfaces.size();
     each(interiors, [&](std::size_t s) { coarse_.push(records, plan_.interiors[s]); });
     for_chunks([&](std::size_t c, const GroupRange&) { sum_volume(c); });
@@ -409,7 +325,7 @@ void FastSolver::run_frame(int thread, int threads, std::span<const Pose> to) {
             if (k + 1 < substeps_)
                 predict(c, range, k + 1);
             else
-                collect(range, to);
+                vertices_.collect(range, to, problem_, plan_.origin, positions_);
         });
         if (k + 1 < substeps_)
             meet();
@@ -418,9 +334,10 @@ void FastSolver::run_frame(int thread, int threads, std::span<const Pose> to) {
 }
 
 std::size_t FastSolver::state_bytes() const {
-    return bytes_of(records_, groups_, slack_, carry_, fixed_, positions_, plan_.edges, plan_.active,
-                    plan_.hinges, plan_.rings, plan_.record_of_vertex, vertex_of_record_, plan_.inverse_mass,
-                    plan_.ring_base, plan_.ring_first, plan_.ring_length, problem_.body_of_vertex) +
+    return vertices_.bytes() +
+           bytes_of(positions_, plan_.edges, plan_.active, plan_.hinges, plan_.rings, plan_.record_of_vertex,
+                    plan_.inverse_mass, plan_.ring_base, plan_.ring_first, plan_.ring_length,
+                    problem_.body_of_vertex) +
            coarse_.bytes() + contact_.bytes();
 }
 
@@ -432,51 +349,6 @@ void FastSolver::set_active_length(double share) {
             const float c = plan_.active[e].along[i];
             plan_.edges[e].rest[i] = plan_.active[e].rest[i] * std::sqrt(along * c + across * (1.0f - c));
         }
-}
-
-Points FastSolver::last_step() const {
-    Points step(positions_.size(), Vec3::Zero());
-    const auto* records = reinterpret_cast<const float*>(records_.data());
-    for (std::size_t r = 0; r < vertex_of_record_.size(); ++r)
-        for (std::size_t k = 0; vertex_of_record_[r] >= 0 && k < 3; ++k)
-            step[static_cast<std::size_t>(vertex_of_record_[r])][static_cast<Eigen::Index>(k)] =
-                double(records[4 * r + k]) - double(groups_[r / packet].carried[k][r % packet]);
-    return step;
-}
-
-bool FastSolver::set_state(const Points& positions, const Points& last_step) {
-    FASCICLE_ASSERT(!started_ && positions.size() == positions_.size() &&
-                    last_step.size() == positions.size());
-    positions_ = positions;
-    auto* records = reinterpret_cast<float*>(records_.data());
-    for (std::size_t r = 0; r < vertex_of_record_.size(); ++r) {
-        if (vertex_of_record_[r] < 0)
-            continue;
-        const auto i = static_cast<std::size_t>(vertex_of_record_[r]);
-        const Vec3 x = positions[i] - plan_.origin;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto axis = static_cast<Eigen::Index>(k);
-            records[4 * r + k] = static_cast<float>(x[axis]);
-            groups_[r / packet].start[k][r % packet] = static_cast<float>(x[axis]);
-            groups_[r / packet].carried[k][r % packet] = static_cast<float>(x[axis] - last_step[i][axis]);
-        }
-    }
-    return true;
-}
-
-/// Positions in the caller's order and frame.
-void FastSolver::collect(const GroupRange& range, std::span<const Pose> to) {
-    const auto* records = reinterpret_cast<const float*>(records_.data());
-    for (std::size_t r = packet * range.begin; r < packet * range.end; ++r) {
-        const int vertex = vertex_of_record_[r];
-        if (vertex < 0)
-            continue;
-        const auto i = static_cast<std::size_t>(vertex);
-        const int body = problem_.body_of_vertex[i];
-        const float* p = records + 4 * r;
-        positions_[i] = body >= 0 ? to[static_cast<std::size_t>(body)].apply(problem_.surface->positions[i])
-                                  : Vec3(plan_.origin + Vec3(double(p[0]), double(p[1]), double(p[2])));
-    }
 }
 
 void FastSolver::sum_reports() {
