@@ -6,6 +6,7 @@
 #include "editor/editor.hpp"
 #include "fascicle/base/build_info.hpp"
 #include "fascicle/base/error.hpp"
+#include "fascicle/io/user_folder.hpp"
 #include "render/gl_functions.hpp"
 #include "render/imgui_renderer.hpp"
 
@@ -100,7 +101,7 @@ int run_editor(EditorCommandLine& options) {
     render::ImguiHost host(static_cast<float>(scale));
     render::ImguiRenderer renderer;
     editor::Editor program(host, Document(std::move(loaded.scene), options.file),
-                           editor::simulate_on_thread(options.solve.threads));
+                           editor::simulate_on_thread(options.solve.threads), {.user_folder = user_folder()});
     for (const std::string& note : loaded.notes)
         program.log().add(editor::Severity::note, note);
     program.use_gl();

@@ -11,6 +11,9 @@ struct CommandState {
     std::string reason;   ///< why it is not enabled
 };
 
+/// For rows of the table: enabled when a bone or muscle that exists is selected.
+CommandState needs_selection(const EditorContext& context);
+
 CommandState command_state(const EditorContext& context, Command command);
 /// Nothing when it is not enabled.
 void run_command(EditorContext& context, Command command);

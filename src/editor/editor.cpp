@@ -1,7 +1,9 @@
 #include "editor/editor.hpp"
 
 #include "editor/commands.hpp"
+#include "editor/dialogs/dialogs.hpp"
 #include "editor/dialogs/shortcut_sheet.hpp"
+#include "editor/features.hpp"
 #include "editor/frame_axis.hpp"
 #include "editor/initial_view.hpp"
 #include "editor/playback.hpp"
@@ -18,7 +20,9 @@
 namespace fascicle::editor {
 
 Editor::Editor(render::ImguiHost& host, Document document, StartRun start, const EditorOptions& options)
-    : host_(host), document_(std::move(document)), runs_(std::move(start)), still_(options.still) {
+    : host_(host), document_(std::move(document)), runs_(std::move(start)),
+      dialogs_(std::make_unique<Dialogs>()), features_(std::make_unique<Features>()),
+      user_folder_(options.user_folder), still_(options.still) {
     InputQueue::map_keys(ImGui::GetIO());
     ImGui::GetIO().ConfigWindowsMoveFromTitleBarOnly = true;
     set_icons_available(host.has_icons());
@@ -41,22 +45,17 @@ void Editor::show(RecordingPtr recording) {
 }
 
 void Editor::drop_files(const std::vector<std::filesystem::path>& files) {
-    mesh_dialog_.open_with(files);
+    dialogs_->mesh.open_with(files);
 }
 
 EditorContext Editor::context() {
     const bool live = !still_ && smooth_seconds_ > 0;
-    return {document_,
-            state_,
-            runs_,
-            metrics_,
-            log_,
-            mesh_dialog_,
-            picture_dialog_,
-            view_.get(),
-            state_.dark ? dark_theme() : light_theme(),
-            now_,
-            live ? 1 / smooth_seconds_ : 0.0f};
+    return {document_,    state_,
+            runs_,        metrics_,
+            log_,         *dialogs_,
+            *features_,   view_.get(),
+            user_folder_, state_.dark ? dark_theme() : light_theme(),
+            now_,         live ? 1 / smooth_seconds_ : 0.0f};
 }
 
 void Editor::apply_look() {
@@ -81,30 +80,65 @@ std::optional<double> Editor::next_redraw() const {
     if (state_.playback.playing && frames_to_play)
         return 1.0 / 60;
     // The solver needs the processor more than a progress bar does.
-    if (runs_.running() || runs_.outdated() || mesh_dialog_.is_open() || metrics_.behind())
-        return 1.0 / 25;
+    std::optional<double> next;
+    const auto no_later_than = [&](double seconds) { next = std::min(next.value_or(seconds), seconds); };
+    if (runs_.running() || runs_.outdated() || metrics_.behind())
+        no_later_than(1.0 / 25);
+    for (const Dialog* dialog : dialogs_->all())
+        if (dialog->busy())
+            no_later_than(1.0 / 25);
+    for (const Feature* feature : features_->all())
+        if (const std::optional<double> wish = feature->redraw_after())
+            no_later_than(*wish);
     if (view_ != nullptr && view_->refinement_pending())
-        return SceneView::refine_after_seconds / 2;
-    return std::nullopt;
+        no_later_than(SceneView::refine_after_seconds / 2);
+    return next;
 }
 
 void Editor::handle_keys() {
     const bool modal = ImGui::GetTopMostPopupModal() != nullptr;
     for (const InputQueue::Press& press : input_.presses()) {
         if (modal && press.chord.key == key_escape && !ImGui::GetIO().WantTextInput) {
-            mesh_dialog_.close();
+            for (Dialog* dialog : dialogs_->all())
+                dialog->close();
             ImGui::ClosePopupToLevel(0, true);
             continue;
         }
         if (modal || ImGui::GetIO().WantTextInput)
             continue; // the keys belong to the text
-        const KeyBinding* row = find_binding(press.chord);
+        const KeyBinding* row = find_binding(press.chord, state_.tool == Tool::paint);
         if (row == nullptr || (press.repeat && !row->repeats))
             continue;
         if (row->command == Command::escape && document_.has_uncommitted_edits())
             ImGui::ClearActiveID(); // the drag ends here, whatever the mouse does
         run(row->command);
     }
+}
+
+void Editor::replace_document(Document document) {
+    document_ = std::move(document);
+    runs_.forget();
+    metrics_.forget();
+    reported_ = nullptr;
+    state_.selection = {};
+    state_.hidden.clear();
+    state_.tool = Tool::look;
+    state_.playback = {};
+    state_.camera_slots = {};
+    state_.frame_view_pending = true;
+    look_at_muscles(state_.camera, document_.scene());
+    EditorContext c = context();
+    for (Feature* feature : features_->all())
+        feature->document_replaced(c);
+}
+
+void Editor::take_opened_scene() {
+    std::optional<OpenedScene> opened = features_->opener.take();
+    if (!opened)
+        return;
+    for (const std::string& note : opened->notes)
+        log_.add(Severity::note, note);
+    replace_document(Document(std::move(opened->scene), std::move(opened->path)));
 }
 
 /// What the run has to say goes to the log.
@@ -148,6 +182,7 @@ void Editor::draw_frame(float width, float height, double seconds) {
     if (ItemRecorder* recorder = item_recorder(); recorder != nullptr)
         recorder->begin_frame();
     ImGui::NewFrame();
+    take_opened_scene();
     handle_keys();
 
     runs_.update(document_.head(), document_.has_uncommitted_edits(), now_);
@@ -159,11 +194,14 @@ void Editor::draw_frame(float width, float height, double seconds) {
             document_.scene().timeline.last_frame, runs_.running() || runs_.outdated());
 
     EditorContext c = context();
+    for (Feature* feature : features_->all())
+        feature->update(c);
     layout_ = compute_layout(io.DisplaySize.x, io.DisplaySize.y, state_.layout, state_.scale);
     ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, io.DisplaySize, c.theme.gap);
     drag_borders(layout_, state_.layout, state_.scale);
     // The hover line of one panel shows in all of them, so it comes from the frame before.
     state_.hover_frame = std::exchange(state_.next_hover_frame, std::nullopt);
+    state_.hover_fibre = std::exchange(state_.next_hover_fibre, std::nullopt);
     const std::pair<Place, const Rect*> places[] = {
         {Place::menu, &layout_.menu},         {Place::toolbar, &layout_.toolbar},
         {Place::tree, &layout_.tree},         {Place::inspector, &layout_.inspector},
@@ -173,11 +211,16 @@ void Editor::draw_frame(float width, float height, double seconds) {
     for (const auto& [place, area] : places)
         if (area->width() >= 1 && area->height() >= 1)
             draw_place(c, place, *area);
-    mesh_dialog_.draw(c);
-    picture_dialog_.draw(c);
+    for (Dialog* dialog : dialogs_->all())
+        dialog->draw(c);
     draw_shortcut_sheet(c);
     ImGui::Render();
     write_picture();
+}
+
+/// Which tab of a place is in front.
+std::string& Editor::front_panel(Place place) {
+    return place == Place::parameters ? state_.side_panel : state_.bottom_panel;
 }
 
 void Editor::draw_place(EditorContext& context, Place place, const Rect& area) {
@@ -187,7 +230,7 @@ void Editor::draw_place(EditorContext& context, Place place, const Rect& area) {
             rows.push_back(&row);
     const PanelRow* front = rows.front();
     for (const PanelRow* row : rows)
-        if (state_.bottom_panel == row->id)
+        if (front_panel(place) == row->id)
             front = row;
 
     const bool bar = place == Place::menu || place == Place::toolbar || place == Place::status;
@@ -258,7 +301,7 @@ void Editor::draw_tabs(EditorContext& context, const std::vector<const PanelRow*
             ImGui::SetCursorScreenPos(tab.min);
             ImGui::PushID(row->id);
             if (ImGui::InvisibleButton("tab", {std::max(1.0f, tab.width()), tab.height()}))
-                state_.bottom_panel = row->id;
+                front_panel(row->place) = row->id;
             record_item(std::string("tab/") + row->id);
             if (active)
                 list.AddRectFilled({tab.min.x, tab.max.y - context.px(2)}, tab.max, theme.accent);

@@ -1,8 +1,6 @@
 #pragma once
 // The whole editor, without a window: takes input events, draws itself with ImGui, runs simulations.
 
-#include "editor/dialogs/mesh_dialog.hpp"
-#include "editor/dialogs/picture_dialog.hpp"
 #include "editor/input_queue.hpp"
 #include "editor/panel.hpp"
 #include "editor/scene_view.hpp"
@@ -16,6 +14,8 @@ struct EditorOptions {
     bool dark = true;
     /// For pictures and tests: every view supersampled, no numbers that depend on the machine's speed.
     bool still = false;
+    /// Where settings, autosaves, presets are kept (io/user_folder.hpp); empty: nothing is kept.
+    std::filesystem::path user_folder{};
 };
 
 class Editor {
@@ -29,6 +29,8 @@ public:
 
     /// From here on the viewport shows the scene. A GL context must be current, now and in every draw_frame().
     void use_gl();
+    /// Another document in place of the present one: its results, selection and camera go with it.
+    void replace_document(Document document);
     /// Shows a recording of the document's scene instead of running it.
     void show(RecordingPtr recording);
 
@@ -50,6 +52,8 @@ public:
     RunManager& runs() { return runs_; }
     MetricsWorker& metrics() { return metrics_; }
     MessageLog& log() { return log_; }
+    Dialogs& dialogs() { return *dialogs_; }
+    Features& features() { return *features_; }
     SceneView* view() { return view_.get(); }
     const Layout& layout() const { return layout_; } ///< of the last frame
     /// For tests: does what the row of the key table does.
@@ -59,6 +63,8 @@ private:
     EditorContext context();
     void handle_keys();
     void follow_run();
+    void take_opened_scene();
+    std::string& front_panel(Place place);
     void draw_place(EditorContext& context, Place place, const Rect& area);
     void draw_panel(EditorContext& context, const PanelRow& row, const Rect& area);
     void draw_tabs(EditorContext& context, const std::vector<const PanelRow*>& rows, const PanelRow& front,
@@ -72,11 +78,12 @@ private:
     MetricsWorker metrics_;
     MessageLog log_;
     InputQueue input_;
-    MeshDialog mesh_dialog_;
-    PictureDialog picture_dialog_;
+    std::unique_ptr<Dialogs> dialogs_;
+    std::unique_ptr<Features> features_;
     std::unique_ptr<SceneView> view_;
     std::map<std::string, std::unique_ptr<Panel>> panels_;
     Layout layout_;
+    std::filesystem::path user_folder_;
     bool still_ = false, styled_dark_ = false, styled_ = false;
     double now_ = 0;
     float smooth_seconds_ = 0;

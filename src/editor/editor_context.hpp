@@ -14,8 +14,8 @@
 
 namespace fascicle::editor {
 
-class MeshDialog;
-class PictureDialog;
+struct Dialogs;
+struct Features;
 class SceneView;
 
 struct EditorContext {
@@ -24,9 +24,10 @@ struct EditorContext {
     RunManager& runs;
     MetricsWorker& metrics;
     MessageLog& log;
-    MeshDialog& mesh_dialog;
-    PictureDialog& picture_dialog;
-    SceneView* view; ///< null without a GL context: the viewport stays empty
+    Dialogs& dialogs;
+    Features& features;
+    SceneView* view;                          ///< null without a GL context: the viewport stays empty
+    const std::filesystem::path& user_folder; ///< empty: nothing is kept
     const Theme& theme;
     double now; ///< seconds
     float ui_fps;

@@ -23,6 +23,16 @@ struct Selection {
     bool operator==(const Selection&) const = default;
 };
 
+/// One fibre of a muscle.
+struct FibreRef {
+    std::string muscle;
+    int fibre = 0; ///< index in the muscle's FibreModel
+    bool operator==(const FibreRef&) const = default;
+};
+
+/// What the pointer does in the viewport.
+enum class Tool { look, paint };
+
 /// What the ruler and the plots' axes show at a frame.
 enum class RulerUnit { frame, seconds, angle };
 
@@ -36,6 +46,7 @@ struct Playback {
 
 struct EditorState {
     Selection selection;
+    Tool tool = Tool::look;
     std::set<std::string> hidden; ///< names of bones and muscles
     view::Camera camera;
     std::array<std::optional<view::Camera>, 4> camera_slots;
@@ -50,6 +61,9 @@ struct EditorState {
     double plot_range_for = 0; ///< last frame that plot_range was made for
     std::set<std::string> hidden_curves;
 
+    std::optional<FibreRef> hover_fibre;      ///< under the pointer, in a plot or in the view
+    std::optional<FibreRef> next_hover_fibre; ///< set by panels, shown in the next frame
+
     view::Colouring colouring = view::Colouring::anatomy; ///< what muscles are coloured by
     bool wireframe = false;
     bool attachments = true;
@@ -57,7 +71,8 @@ struct EditorState {
     bool joint_axis = true;
 
     LayoutSizes layout;
-    std::string bottom_panel = "plots"; ///< id of the panel in front
+    std::string bottom_panel = "plots";    ///< id of the panel in front below
+    std::string side_panel = "parameters"; ///< and at the right side
     bool dark = true;
     float scale = 1;       ///< of the interface
     float start_scale = 1; ///< what "normal" means

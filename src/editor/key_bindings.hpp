@@ -1,6 +1,6 @@
 #pragma once
-// Every command of the editor and its keys in one table. Menus, tooltips and the shortcut sheet are made from
-// it.
+// Every command of the editor and its keys in one table, whose rows are in commands/. Menus, tooltips and the shortcut sheet
+// are made from it.
 
 #include "editor/keys.hpp"
 
@@ -68,19 +68,28 @@ enum class Command {
     escape,
 };
 
+struct EditorContext;
+struct CommandState; // commands.hpp
+
+/// Where a row's keys act: everywhere, only while painting (before other rows of the same chord), or only while not.
+enum class KeysIn { anywhere, painting, looking };
+
 struct KeyBinding {
     Command command;
     const char* group; ///< heading in the shortcut sheet
     const char* label; ///< in menus
     const char* help;  ///< one sentence for tooltips
     std::array<KeyChord, 2> chords{};
-    bool repeats = false; ///< acts again while the key is held
+    bool repeats = false;                                  ///< acts again while the key is held
+    CommandState (*state)(const EditorContext&) = nullptr; ///< null: always enabled
+    void (*run)(EditorContext&) = nullptr;
+    KeysIn where = KeysIn::anywhere;
 };
 
 const std::vector<KeyBinding>& key_bindings();
 const KeyBinding& binding(Command command);
 /// The row that a chord belongs to, or null.
-const KeyBinding* find_binding(const KeyChord& chord);
+const KeyBinding* find_binding(const KeyChord& chord, bool painting = false);
 
 /// "Ctrl+Shift+Z"; empty for no key.
 std::string to_text(const KeyChord& chord);

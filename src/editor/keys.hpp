@@ -19,6 +19,7 @@ enum Key : int {
     key_c = 67,
     key_f = 70,
     key_h = 72,
+    key_i = 73,
     key_j = 74,
     key_o = 79,
     key_p = 80,

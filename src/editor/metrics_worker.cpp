@@ -82,6 +82,12 @@ void MetricsWorker::follow(const RecordingPtr& recording) {
     take();
 }
 
+void MetricsWorker::forget() {
+    follow(nullptr);
+    current_ = {};
+    earlier_.clear();
+}
+
 void MetricsWorker::take() {
     const std::lock_guard lock(mutex_);
     for (auto& row : fresh_)

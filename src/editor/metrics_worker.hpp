@@ -29,6 +29,8 @@ public:
 
     /// Once a frame: the recording to measure (may be null), and takes over what has been measured.
     void follow(const RecordingPtr& recording);
+    /// Follows nothing and keeps no earlier values.
+    void forget();
     /// Values of the recording being followed.
     const MetricValues& current() const { return current_; }
     /// Values of earlier runs that reached at least one frame, newest first.

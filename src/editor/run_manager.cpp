@@ -73,6 +73,13 @@ void RunManager::show(RecordingPtr recording) {
     outdated_ = stopped_ = false;
 }
 
+void RunManager::forget() {
+    retire();
+    recording_ = previous_ = nullptr;
+    head_ = nullptr;
+    outdated_ = stopped_ = false;
+}
+
 void RunManager::retire() {
     if (run_ == nullptr)
         return;

@@ -33,6 +33,8 @@ public:
     void update(const ScenePtr& head, bool held, double now);
     /// Shows a recording instead of running its scene.
     void show(RecordingPtr recording);
+    /// As if nothing had ever run: another document was opened. A run under way is stopped.
+    void forget();
     /// Starts from rest at once.
     void restart();
     /// Stops the run; it is not started again by itself until the scene changes.

@@ -55,10 +55,7 @@ SceneView::SceneView(bool best_quality) : best_quality_(best_quality) {}
 bool SceneView::same(const Key& a, const Key& b) {
     return a.scene == b.scene && a.frame == b.frame && a.attachment_count == b.attachment_count &&
            a.camera.view == b.camera.view && a.camera.projection == b.camera.projection &&
-           a.hidden_bones == b.hidden_bones && a.hidden_muscles == b.hidden_muscles &&
-           a.colouring == b.colouring && a.attachments == b.attachments && a.wireframe == b.wireframe &&
-           a.ghost == b.ghost && a.axis == b.axis && a.dark == b.dark && a.selected_bone == b.selected_bone &&
-           a.selected_muscle == b.selected_muscle && a.width == b.width && a.height == b.height &&
+           a.options == b.options && a.dark == b.dark && a.width == b.width && a.height == b.height &&
            a.scale == b.scale;
 }
 
@@ -81,16 +78,8 @@ unsigned SceneView::texture(const EditorContext& context, int width, int height)
                   subject.frame,
                   count_vertices(subject.attachments),
                   state.camera.pose(aspect),
-                  options.hidden_bones,
-                  options.hidden_muscles,
-                  state.colouring,
-                  state.attachments,
-                  state.wireframe,
-                  state.rest_ghost,
-                  state.joint_axis,
+                  options,
                   state.dark,
-                  options.selected_bone,
-                  options.selected_muscle,
                   width,
                   height,
                   state.scale};

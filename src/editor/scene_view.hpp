@@ -36,10 +36,9 @@ private:
         FramePtr frame;
         std::size_t attachment_count = 0;
         render::CameraPose camera;
-        std::vector<bool> hidden_bones, hidden_muscles;
-        view::Colouring colouring{};
-        bool attachments = false, wireframe = false, ghost = false, axis = false, dark = false;
-        int selected_bone = -1, selected_muscle = -1, width = 0, height = 0;
+        view::ViewOptions options;
+        bool dark = false;
+        int width = 0, height = 0;
         float scale = 1;
     };
     static bool same(const Key& a, const Key& b);

@@ -46,6 +46,7 @@ struct ViewOptions {
 
     bool bone_visible(std::size_t i) const { return i >= hidden_bones.size() || !hidden_bones[i]; }
     bool muscle_visible(std::size_t i) const { return i >= hidden_muscles.size() || !hidden_muscles[i]; }
+    bool operator==(const ViewOptions&) const = default;
 };
 
 /// SurfaceItem.id of a bone or muscle of the scene, for finding an item again.

@@ -1,4 +1,4 @@
-#include "editor/driver.hpp"
+#include "editor/hand_run.hpp"
 #include "editor/metrics_worker.hpp"
 #include "fascicle/simulation/simulation.hpp"
 

@@ -1,4 +1,4 @@
-#include "editor/driver.hpp"
+#include "editor/hand_run.hpp"
 #include "editor/run_manager.hpp"
 #include "fascicle/document/actions/parameter_actions.hpp"
 #include "fascicle/document/actions/scene_actions.hpp"

@@ -55,6 +55,13 @@ struct Muscle {
 /// Whether any area of the muscle has a vertex: areas that are not painted yet do not count.
 bool has_painted_areas(const Muscle& muscle);
 
+/// A named frame of the timeline.
+struct Marker {
+    int frame = 0; ///< 0 to last_frame
+    std::string name;
+    bool operator==(const Marker&) const = default;
+};
+
 struct LineMuscles; // scene/line_muscles.hpp
 
 struct Scene {
@@ -68,7 +75,8 @@ struct Scene {
     /// Line-segment muscles of a model, for comparison: not simulated. null: none.
     std::shared_ptr<const LineMuscles> line_muscles;
     Timeline timeline;
-    MeshSource motion_source; ///< the file that the timeline came from; empty: from none
+    std::vector<Marker> markers; ///< ascending by frame, one a frame
+    MeshSource motion_source;    ///< the file that the timeline came from; empty: from none
     ParamSet parameters = default_parameters();
 
     int bone_index(std::string_view bone_name) const;     ///< -1 when there is none

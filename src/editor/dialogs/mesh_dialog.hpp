@@ -1,6 +1,7 @@
 #pragma once
 // Chooses a mesh file, says what is in it, and adds it to the scene as a bone or a muscle.
 
+#include "editor/dialogs/dialog.hpp"
 #include "editor/widgets/file_browser.hpp"
 #include "fascicle/document/actions/mesh_actions.hpp"
 
@@ -9,7 +10,7 @@
 
 namespace fascicle::editor {
 
-class MeshDialog {
+class MeshDialog : public Dialog {
 public:
     MeshDialog();
 
@@ -17,9 +18,9 @@ public:
     /// One after the other, e.g. files dropped on the window.
     void open_with(const std::vector<std::filesystem::path>& files);
     bool is_open() const { return open_; }
-    void close();
-    /// Once a frame.
-    void draw(EditorContext& context);
+    void close() override;
+    bool busy() const override { return open_; }
+    void draw(EditorContext& context) override;
 
 private:
     void start_reading();

@@ -1,15 +1,15 @@
 #pragma once
 // Asks under which name the picture of the view is to be written.
 
-#include "editor/editor_context.hpp"
+#include "editor/dialogs/dialog.hpp"
 
 namespace fascicle::editor {
 
-class PictureDialog {
+class PictureDialog : public Dialog {
 public:
     void open(const std::filesystem::path& suggestion);
-    /// Once a frame. The wish goes to EditorState::wants_picture.
-    void draw(EditorContext& context);
+    /// The wish goes to EditorState::wants_picture.
+    void draw(EditorContext& context) override;
 
 private:
     std::string name_;

@@ -1,0 +1,16 @@
+#pragma once
+// All dialogs of the editor; EditorContext knows only that there are some.
+
+#include "editor/dialogs/mesh_dialog.hpp"
+#include "editor/dialogs/picture_dialog.hpp"
+
+namespace fascicle::editor {
+
+struct Dialogs {
+    MeshDialog mesh;
+    PictureDialog picture;
+
+    std::vector<Dialog*> all() { return {&mesh, &picture}; }
+};
+
+} // namespace fascicle::editor

@@ -1,0 +1,124 @@
+#include "editor/viewport_tool.hpp"
+
+#include "editor/widgets/item_recorder.hpp"
+#include "editor/widgets/legend.hpp"
+#include "editor/widgets/paint.hpp"
+#include "view/build_draw_list.hpp"
+
+namespace fascicle::editor {
+
+namespace {
+
+using C = Command;
+
+ImU32 packed(const render::Rgba& c) {
+    return ImGui::ColorConvertFloat4ToU32({c[0], c[1], c[2], c[3]});
+}
+
+std::vector<LegendEntry> attachment_entries(const EditorContext& context) {
+    bool origin = false, insertion = false, unknown = false;
+    const RecordingPtr recording = context.shown().recording;
+    const Scene& scene = context.shown_scene();
+    std::vector<std::vector<Attachment>> lists =
+        recording != nullptr ? recording->attachments() : std::vector<std::vector<Attachment>>{};
+    for (const Muscle& muscle : scene.muscles)
+        lists.push_back(muscle.attachments);
+    for (const auto& attachments : lists)
+        for (const Attachment& attachment : attachments) {
+            origin |= attachment.kind == AttachmentKind::origin;
+            insertion |= attachment.kind == AttachmentKind::insertion;
+            unknown |= attachment.kind == AttachmentKind::unknown;
+        }
+    std::vector<LegendEntry> entries;
+    if (origin)
+        entries.push_back({"Origin", packed(view::palette::origin)});
+    if (insertion)
+        entries.push_back({"Insertion", packed(view::palette::insertion)});
+    if (unknown)
+        entries.push_back({"Attachment", packed(view::palette::attachment)});
+    return entries;
+}
+
+void draw_legends(EditorContext& context, ImDrawList& list, const Rect& area) {
+    if (area.height() < context.px(240))
+        return;
+    const ImVec2 corner{area.max.x - context.px(12), area.min.y + context.px(12)};
+    std::vector<LegendEntry> entries;
+    switch (context.state.colouring) {
+    case view::Colouring::strain:
+    case view::Colouring::fibres:
+    case view::Colouring::depth: {
+        const view::ViewOptions options;
+        const view::Colouring colouring = context.state.colouring;
+        const view::ColourScale& scale = colouring == view::Colouring::strain   ? options.strain_scale
+                                         : colouring == view::Colouring::fibres ? options.stretch_scale
+                                                                                : options.depth_scale;
+        const Rect plate = draw_colour_bar(list, corner, view::colouring_row(colouring).legend, scale,
+                                           context.theme, context.scale());
+        record_item("viewport/legend", plate);
+        return;
+    }
+    case view::Colouring::contact:
+        for (const view::ContactRow& row : view::contact_rows())
+            entries.push_back({row.label, packed(row.colour)});
+        break;
+    case view::Colouring::anatomy:
+        if (context.state.attachments)
+            entries = attachment_entries(context);
+    }
+    if (!entries.empty())
+        record_item("viewport/legend", draw_swatches(list, corner, entries, context.theme, context.scale()));
+}
+
+/// A sentence when what is seen is not the computed frame at the playhead.
+void draw_state(EditorContext& context, ImDrawList& list, const Rect& area) {
+    const ImVec2 at{area.min.x + area.width() / 2, area.min.y + context.px(12)};
+    const Theme& theme = context.theme;
+    const ShownFrame shown = context.shown();
+    std::string text;
+    ImU32 colour = theme.text;
+    const RecordingPtr recording = context.runs.recording();
+    const bool failed =
+        recording != nullptr && recording->state() == RunState::failed && !context.runs.outdated();
+    if (failed) {
+        text = "The run failed: " + recording->failure();
+        colour = theme.bad;
+    } else if (shown.state == FrameState::stale) {
+        text = context.runs.running() ? "Stale: made with other parameters, computing anew"
+                                      : "Stale: made with other parameters";
+        colour = theme.warning;
+    } else if (shown.frame == nullptr && !context.document.scene().muscles.empty()) {
+        text = context.runs.running() ? "At rest; preparing the run" : "At rest";
+    } else if (shown.frame != nullptr && shown.frame->index < context.playhead()) {
+        text = "Frame " + std::to_string(shown.frame->index) + "; frame " +
+               std::to_string(context.playhead()) + " is not computed yet";
+    }
+    if (!text.empty())
+        record_item("viewport/badge",
+                    draw_badge(list, at, Align::centre, elided(text, context.px(520)), colour, theme.badge));
+}
+
+void draw_empty(EditorContext& context, ImDrawList& list, const Rect& area) {
+    const Scene& scene = context.document.scene();
+    if (!scene.bones.empty() || !scene.muscles.empty())
+        return;
+    const float middle = area.min.y + area.height() * 0.45f, line = ImGui::GetTextLineHeightWithSpacing();
+    draw_text_in(list, {{area.min.x, middle - line * 1.5f}, {area.max.x, middle - line * 0.5f}},
+                 context.theme.text, "Nothing here yet", Align::centre);
+    draw_text_in(list, {{area.min.x, middle - line * 0.5f}, {area.max.x, middle + line * 0.5f}},
+                 context.theme.text_dim,
+                 "Drop a mesh of a bone or a muscle here, or press " + shortcut(C::open_file), Align::centre);
+}
+
+} // namespace
+
+const std::vector<OverlayRow>& viewport_overlays() {
+    static const std::vector<OverlayRow> rows{
+        {"legend", draw_legends},
+        {"state", draw_state},
+        {"empty", draw_empty},
+    };
+    return rows;
+}
+
+} // namespace fascicle::editor
