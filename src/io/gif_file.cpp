@@ -8,6 +8,7 @@
 #include <cmath>
 #include <gif_lib.h>
 #include <string>
+#include <utility>
 
 namespace fascicle {
 
@@ -61,7 +62,8 @@ struct GifWriter::Impl {
 
     [[noreturn]] void fail(int code) const {
         const char* reason = GifErrorString(code);
-        throw_error(name, std::string("cannot write the GIF (") + (reason != nullptr ? reason : "unknown") + ")",
+        throw_error(name,
+                    std::string("cannot write the GIF (") + (reason != nullptr ? reason : "unknown") + ")",
                     "space on the disk");
     }
     void check(int result) const {

@@ -43,7 +43,8 @@ Box measure(const std::vector<Sample>& samples, std::size_t begin, std::size_t e
         m /= std::max(count, 1e-300);
     for (std::size_t i = begin; i < end; ++i)
         for (std::size_t c = 0; c < 3; ++c)
-            square[c] += samples[i].count * (samples[i].at[c] - box.mean[c]) * (samples[i].at[c] - box.mean[c]);
+            square[c] +=
+                samples[i].count * (samples[i].at[c] - box.mean[c]) * (samples[i].at[c] - box.mean[c]);
     for (std::size_t c = 0; c < 3; ++c) {
         box.error += square[c];
         if (square[c] > square[static_cast<std::size_t>(box.axis)])
@@ -77,7 +78,8 @@ GifPalette::GifPalette(std::vector<Rgb8> colours)
         gaps.push_back(least);
     }
     if (gaps.size() > 1) {
-        std::nth_element(gaps.begin(), gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2), gaps.end());
+        std::nth_element(gaps.begin(), gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2),
+                         gaps.end());
         spacing_ = std::min(gaps[gaps.size() / 2], 64.0);
     }
 }
@@ -88,7 +90,8 @@ std::uint8_t GifPalette::nearest(int red, int green, int blue) {
         const auto middle = [](int v) { return (v >> shift << shift) + ((1 << shift) - 1) / 2.0; };
         double least = std::numeric_limits<double>::max();
         for (std::size_t i = 0; i < colours_.size(); ++i)
-            if (const double d = distance2(colours_[i], middle(red), middle(green), middle(blue)); d < least) {
+            if (const double d = distance2(colours_[i], middle(red), middle(green), middle(blue));
+                d < least) {
                 least = d;
                 known = static_cast<std::int16_t>(i);
             }

@@ -16,6 +16,7 @@
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 extern char** environ;
@@ -65,19 +66,21 @@ std::string last_line(std::FILE* file) {
     if (end == std::string::npos)
         return {};
     const auto line = text.find_last_of("\r\n", end);
-    return text.substr(line == std::string::npos ? 0 : line + 1, end - (line == std::string::npos ? 0 : line + 1) + 1);
+    return text.substr(line == std::string::npos ? 0 : line + 1,
+                       end - (line == std::string::npos ? 0 : line + 1) + 1);
 }
 
-std::vector<std::string> arguments(const fs::path& encoder, const fs::path& file, int width, int height, double fps) {
+std::vector<std::string> arguments(const fs::path& encoder, const fs::path& file, int width, int height,
+                                   double fps) {
     const std::string rate = number_text(fps);
     return {encoder.string(), "-hide_banner", "-loglevel", "error", "-y",
             // What comes in.
-            "-f", "rawvideo", "-pix_fmt", "rgba", "-s", std::to_string(width) + "x" + std::to_string(height), "-r",
-            rate, "-i", "pipe:0",
+            "-f", "rawvideo", "-pix_fmt", "rgba", "-s", std::to_string(width) + "x" + std::to_string(height),
+            "-r", rate, "-i", "pipe:0",
             // What goes out. Colours of high definition, said so in the file, else players guess.
-            "-an", "-vf", "scale=out_color_matrix=bt709:out_range=tv", "-c:v", "libx264", "-preset", "medium", "-crf",
-            "18", "-pix_fmt", "yuv420p", "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709",
-            "-movflags", "+faststart", "-f", "mp4", file.string()};
+            "-an", "-vf", "scale=out_color_matrix=bt709:out_range=tv", "-c:v", "libx264", "-preset", "medium",
+            "-crf", "18", "-pix_fmt", "yuv420p", "-colorspace", "bt709", "-color_primaries", "bt709",
+            "-color_trc", "bt709", "-movflags", "+faststart", "-f", "mp4", file.string()};
 }
 
 } // namespace

@@ -20,7 +20,8 @@ inline constexpr double gif_most_fps = 50;
 class GifWriter {
 public:
     /// width, height: 1 to 65535. Error naming the file when it cannot be written.
-    GifWriter(const std::filesystem::path& path, int width, int height, GifPalette palette, const GifOptions& options);
+    GifWriter(const std::filesystem::path& path, int width, int height, GifPalette palette,
+              const GifOptions& options);
     /// Without commit() nothing is left behind.
     ~GifWriter();
     GifWriter(const GifWriter&) = delete;

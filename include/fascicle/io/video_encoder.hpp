@@ -16,8 +16,8 @@ class VideoEncoder {
 public:
     /// width, height: even, 2 to 16384. cancel: looked at while waiting for the encoder; may be null. Error naming the file when
     /// the encoder cannot be started or the folder cannot be written to.
-    VideoEncoder(const std::filesystem::path& encoder, std::filesystem::path file, int width, int height, double fps,
-                 const std::atomic<bool>* cancel = nullptr);
+    VideoEncoder(const std::filesystem::path& encoder, std::filesystem::path file, int width, int height,
+                 double fps, const std::atomic<bool>* cancel = nullptr);
     /// Without commit() the encoder is stopped and nothing is left behind.
     ~VideoEncoder();
     VideoEncoder(const VideoEncoder&) = delete;

@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-namespace fascicle::app {
+namespace fascicle::output {
 
 struct PictureOptions {
     int width = 1280;
@@ -30,6 +30,9 @@ public:
 
     render::Image draw(int frame, int width, int height);
     render::Image draw(int frame) { return draw(frame, options_.width, options_.height); }
+    /// The camera of all pictures of a shape, width over height.
+    view::Camera camera(double aspect) const;
+    const view::ViewOptions& options() const { return view_; }
 
 private:
     void choose_side(int flexed);
@@ -50,4 +53,4 @@ void write_run_pictures(const Recording& recording, const std::filesystem::path&
 
 void write_picture(const std::filesystem::path& path, const render::Image& image);
 
-} // namespace fascicle::app
+} // namespace fascicle::output
