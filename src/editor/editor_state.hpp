@@ -2,6 +2,7 @@
 // How the scene is looked at: selection, visibility, camera, playhead, colours. Never undone, never saved with
 // the scene.
 
+#include "editor/export_choices.hpp"
 #include "editor/layout.hpp"
 #include "editor/widgets/plot.hpp"
 #include "view/camera.hpp"
@@ -52,6 +53,7 @@ struct EditorState {
     std::array<std::optional<view::Camera>, 4> camera_slots;
     bool frame_view_pending = true; ///< fill the view with the scene as soon as its size is known
     double view_aspect = 1.5;       ///< width over height of the viewport
+    int view_width = 1, view_height = 1; ///< its size in pixels
 
     Playback playback;
     RulerUnit ruler = RulerUnit::frame;
@@ -78,6 +80,7 @@ struct EditorState {
     float start_scale = 1; ///< what "normal" means
 
     bool show_shortcuts = false;
+    ExportChoices exporting; ///< of the export dialog
 
     // Wishes to whoever owns the window.
     bool wants_quit = false;

@@ -5,7 +5,8 @@
 
 namespace fascicle {
 
-void write_series_file(const std::filesystem::path& path, const std::vector<std::pair<double, std::string>>& series) {
+void write_series_file(const std::filesystem::path& path,
+                       const std::vector<std::pair<double, std::string>>& series) {
     AtomicFile file(path);
     io::write_pvd(file.stream(), series);
     file.commit();

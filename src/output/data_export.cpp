@@ -63,7 +63,8 @@ std::vector<const FibreSeries*> series_of(const MetricsEngine& metrics, std::siz
 }
 
 /// A folder as `simulate` leaves it; vtp: with its meshes.
-void write_run(const fs::path& folder, const Recording& recording, bool vtp, int threads, const JobControl& control) {
+void write_run(const fs::path& folder, const Recording& recording, bool vtp, int threads,
+               const JobControl& control) {
     const std::size_t muscles = recording.scene().muscles.size();
     RunWriter writer(folder, recording.scene_ptr(), {vtp, 1, {}, threads});
     writer.set_attachments(recording.attachments());
@@ -73,7 +74,8 @@ void write_run(const fs::path& folder, const Recording& recording, bool vtp, int
         control.checkpoint("measuring", double(k) / count);
         const FramePtr frame = recording.frame(k);
         const auto values = metrics.measure(*frame);
-        writer.add_frame(frame, values, vtp ? point_arrays(metrics, muscles) : std::vector<std::vector<NamedArray>>{});
+        writer.add_frame(frame, values,
+                         vtp ? point_arrays(metrics, muscles) : std::vector<std::vector<NamedArray>>{});
     }
     writer.finish(recording, series_of(metrics, muscles));
 }
@@ -82,7 +84,8 @@ void move_file(const fs::path& from, const fs::path& to) {
     std::error_code error;
     fs::rename(from, to, error);
     if (error)
-        throw_error(to.string(), "cannot write the file (" + error.message() + ")", "a folder that can be written to");
+        throw_error(to.string(), "cannot write the file (" + error.message() + ")",
+                    "a folder that can be written to");
 }
 
 /// The table alone, and beside it what was run.
@@ -99,8 +102,9 @@ void write_metrics(const ExportRequest& request, const Recording& recording, con
 }
 
 std::vector<NamedArray> attachment_arrays(const Recording& recording, std::size_t m) {
-    NamedArray kind{"attachment", 1,
-                    std::vector<double>(static_cast<std::size_t>(recording.scene().muscles[m].mesh->vertex_count()))};
+    NamedArray kind{
+        "attachment", 1,
+        std::vector<double>(static_cast<std::size_t>(recording.scene().muscles[m].mesh->vertex_count()))};
     const auto lists = recording.attachments();
     if (m < lists.size())
         for (const Attachment& a : lists[m])
@@ -160,8 +164,8 @@ void write_mesh(const ExportRequest& request, const Recording& recording) {
     const FramePtr frame = recording.frame(place_of_frame(recording, request.frame));
     AtomicFile file(request.target);
     std::ostream& out = file.stream();
-    out << "# " << (scene.unit == LengthUnit::metre ? "1 unit = 1000.000000 mm" : "1 unit = 1.000000 mm") << "\n# frame "
-        << frame->index << "\n";
+    out << "# " << (scene.unit == LengthUnit::metre ? "1 unit = 1000.000000 mm" : "1 unit = 1.000000 mm")
+        << "\n# frame " << frame->index << "\n";
     int offset = 1;
     const auto group = [&](std::string name, const Points& points, const std::vector<Tri>& triangles) {
         for (char& c : name)
@@ -169,7 +173,8 @@ void write_mesh(const ExportRequest& request, const Recording& recording) {
                 c = '_';
         out << "o " << name << "\n";
         for (const Vec3& p : points)
-            out << "v " << number_text(p.x()) << ' ' << number_text(p.y()) << ' ' << number_text(p.z()) << "\n";
+            out << "v " << number_text(p.x()) << ' ' << number_text(p.y()) << ' ' << number_text(p.z())
+                << "\n";
         for (const Tri& t : triangles)
             out << "f " << t[0] + offset << ' ' << t[1] + offset << ' ' << t[2] + offset << "\n";
         offset += static_cast<int>(points.size());
@@ -233,7 +238,8 @@ std::vector<int> chosen_frames(const Recording& recording, const ExportRequest& 
     if (places.empty())
         throw_error("frames " + std::to_string(request.first) + " to " + std::to_string(request.last),
                     "the run has none of them",
-                    count > 0 ? "frames 0 to " + std::to_string(recording.last_frame()->index) : "a run with frames",
+                    count > 0 ? "frames 0 to " + std::to_string(recording.last_frame()->index)
+                              : "a run with frames",
                     ErrorKind::usage);
     return places;
 }

@@ -110,7 +110,8 @@ ExportJob::ExportJob(ExportRequest request, RecordingPtr recording, PictureLook 
                 ReportFilm film(request_, recording_, std::move(titles), measured);
                 worker.write(film);
             } else if (!shots_.empty()) {
-                const std::unique_ptr<Film> film = make_film(request_, recording_->scene_ptr(), &worker.cancel);
+                const std::unique_ptr<Film> film =
+                    make_film(request_, recording_->scene_ptr(), &worker.cancel);
                 worker.write(*film);
             } else {
                 export_data(request_, *recording_, worker.control());
@@ -134,7 +135,8 @@ void ExportJob::plan(const PictureLook& look) {
     if (request_.kind == ExportKind::report) {
         shots_ = report_shots(*recording_, look);
     } else if (request_.kind == ExportKind::picture) {
-        shots_.push_back({recording_->frame_count() == 0 ? -1 : place_of_frame(*recording_, request_.frame), own, {}});
+        shots_.push_back(
+            {recording_->frame_count() == 0 ? -1 : place_of_frame(*recording_, request_.frame), own, {}});
     } else {
         for (const int place : chosen_frames(*recording_, request_))
             shots_.push_back({place, own, {}});
@@ -151,7 +153,10 @@ void ExportJob::plan(const PictureLook& look) {
     const int count = std::min(total_, 8);
     std::vector<Shot> samples;
     for (int i = 0; i < count; ++i)
-        samples.push_back({shots_[static_cast<std::size_t>(i * (total_ - 1) / std::max(1, count - 1))].place, small, {}, true});
+        samples.push_back({shots_[static_cast<std::size_t>(i * (total_ - 1) / std::max(1, count - 1))].place,
+                           small,
+                           {},
+                           true});
     shots_.insert(shots_.begin(), samples.begin(), samples.end());
 }
 

@@ -40,9 +40,9 @@ public:
 
     const ExportRequest& request() const { return request_; }
     State state() const;
-    std::string error() const; ///< one line; empty unless failed
-    double fraction() const;   ///< done, 0 to 1
-    std::string stage() const; ///< what is being done, a word or two
+    std::string error() const;           ///< one line; empty unless failed
+    double fraction() const;             ///< done, 0 to 1
+    std::string stage() const;           ///< what is being done, a word or two
     int drawn() const { return drawn_; } ///< pictures, samples not counted
     int total() const { return total_; } ///< pictures in all; 0 when none are drawn
 

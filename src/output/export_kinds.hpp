@@ -11,12 +11,12 @@ enum class ExportKind { picture, pictures, gif, video, meshes, mesh, fibres, met
 
 /// Which options a kind has.
 struct ExportTraits {
-    bool draws = false;     ///< pictures are drawn for it, with a GL context
-    bool frames = false;    ///< first, last, step
-    bool speed = false;     ///< pictures a second
-    bool size = false;      ///< width, height
-    bool clear = false;     ///< transparent background
-    bool folder = false;    ///< the target is a folder
+    bool draws = false;  ///< pictures are drawn for it, with a GL context
+    bool frames = false; ///< first, last, step
+    bool speed = false;  ///< pictures a second
+    bool size = false;   ///< width, height
+    bool clear = false;  ///< transparent background
+    bool folder = false; ///< the target is a folder
 };
 
 struct ExportKindRow {
@@ -35,12 +35,13 @@ const ExportKindRow& export_kind(ExportKind kind);
 /// What is to be written, and how.
 struct ExportRequest {
     ExportKind kind = ExportKind::picture;
-    std::filesystem::path target;       ///< file or folder
-    int frame = 0;                      ///< of a single picture or mesh
-    int first = 0, last = 0, step = 1;  ///< frame numbers of a series; last also counts when it does not fall on a step
-    double fps = 25;                    ///< pictures a second of films, over 0; GIF at most 50
-    bool dither = true;                 ///< GIF: pattern against steps between colours
-    int threads = 1;                    ///< for measuring
+    std::filesystem::path target; ///< file or folder
+    int frame = 0;                ///< of a single picture or mesh
+    int first = 0, last = 0,
+        step = 1;       ///< frame numbers of a series; last also counts when it does not fall on a step
+    double fps = 25;    ///< pictures a second of films, over 0; GIF at most 50
+    bool dither = true; ///< GIF: pattern against steps between colours
+    int threads = 1;    ///< for measuring
 };
 
 /// The target with the extension that the kind wants; folders as they are.

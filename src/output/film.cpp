@@ -78,8 +78,8 @@ public:
     }
     void add(const render::Image& image, int) override {
         if (encoder_ == nullptr)
-            encoder_ = std::make_unique<VideoEncoder>(encoder_path_, request_.target, image.width, image.height,
-                                                      request_.fps, cancel_);
+            encoder_ = std::make_unique<VideoEncoder>(encoder_path_, request_.target, image.width,
+                                                      image.height, request_.fps, cancel_);
         encoder_->add(image.rgba.data());
     }
     void finish(const JobControl&) override { encoder_->commit(); }
@@ -93,7 +93,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<Film> make_film(const ExportRequest& request, ScenePtr scene, const std::atomic<bool>* cancel) {
+std::unique_ptr<Film> make_film(const ExportRequest& request, ScenePtr scene,
+                                const std::atomic<bool>* cancel) {
     if (!export_kind(request.kind).traits.folder)
         check_no_input(request.target, *scene);
     switch (request.kind) {

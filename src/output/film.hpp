@@ -21,6 +21,7 @@ public:
 };
 
 /// Error naming the target, e.g. when there is no encoder.
-std::unique_ptr<Film> make_film(const ExportRequest& request, ScenePtr scene, const std::atomic<bool>* cancel);
+std::unique_ptr<Film> make_film(const ExportRequest& request, ScenePtr scene,
+                                const std::atomic<bool>* cancel);
 
 } // namespace fascicle::output

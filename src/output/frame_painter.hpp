@@ -23,7 +23,7 @@ struct PictureLook {
 class FramePainter {
 public:
     /// Largest side of what is drawn in one step.
-    static constexpr int tile_side = 1280;
+    static constexpr int tile_side = 1024;
 
     /// Begins a picture, supersampled 2x2. Error when the size is impossible.
     void begin(const view::ViewSubject& subject, const PictureLook& look);

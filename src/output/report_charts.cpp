@@ -13,8 +13,10 @@ namespace fascicle::output {
 namespace {
 
 /// After Okabe and Ito 2008, as the editor's plots.
-constexpr std::array<unsigned, 7> on_light{0xc07f00, 0x0072b2, 0x008a64, 0xb04f88, 0x8a7d00, 0xc44e00, 0x4350c0};
-constexpr std::array<unsigned, 7> on_dark{0xe69f00, 0x56b4e9, 0x2fbf93, 0xcc79a7, 0xf0e442, 0xe4713a, 0x7f9bff};
+constexpr std::array<unsigned, 7> on_light{0xc07f00, 0x0072b2, 0x008a64, 0xb04f88,
+                                           0x8a7d00, 0xc44e00, 0x4350c0};
+constexpr std::array<unsigned, 7> on_dark{0xe69f00, 0x56b4e9, 0x2fbf93, 0xcc79a7,
+                                          0xf0e442, 0xe4713a, 0x7f9bff};
 
 render::Rgba colour_of(std::size_t i, bool dark) {
     const unsigned rgb = (dark ? on_dark : on_light)[i % on_light.size()];
@@ -36,7 +38,8 @@ std::string in_frame(const ReportInput& input, int place) {
 int furthest_from(const std::vector<double>& y, double from) {
     int best = -1;
     for (std::size_t k = 0; k < y.size(); ++k)
-        if (std::isfinite(y[k]) && (best < 0 || std::abs(y[k] - from) > std::abs(y[static_cast<std::size_t>(best)] - from)))
+        if (std::isfinite(y[k]) &&
+            (best < 0 || std::abs(y[k] - from) > std::abs(y[static_cast<std::size_t>(best)] - from)))
             best = static_cast<int>(k);
     return best;
 }
@@ -53,12 +56,14 @@ std::string volume_sentence(const ReportInput& input, std::size_t, const std::ve
 std::string extension_sentence(const ReportInput& input, std::size_t muscle, const std::vector<double>& y) {
     const int k = furthest_from(y, 1);
     const auto at = static_cast<std::size_t>(k);
-    std::string text = "has edges of " + short_number(y[at]) + " times their length at rest in the mean where that is furthest from 1," +
+    std::string text = "has edges of " + short_number(y[at]) +
+                       " times their length at rest in the mean where that is furthest from 1," +
                        in_frame(input, k);
     const std::vector<double> low = metric_series(input, muscle, "edge_extension_p10"),
                               high = metric_series(input, muscle, "edge_extension_p90");
     if (std::isfinite(low[at]) && std::isfinite(high[at]))
-        text += ", and eight edges in ten lie between " + short_number(low[at]) + " and " + short_number(high[at]) + " there";
+        text += ", and eight edges in ten lie between " + short_number(low[at]) + " and " +
+                short_number(high[at]) + " there";
     return text;
 }
 
@@ -66,22 +71,24 @@ std::string dihedral_sentence(const ReportInput& input, std::size_t, const std::
     const Extremes e = extremes(y);
     const double most = y[static_cast<std::size_t>(e.greatest)];
     return "is bent by at most " + short_number(most) + " rad (" + short_number(most * 57.29577951308232, 2) +
-           "\xC2\xB0) an edge in the mean," + in_frame(input, e.greatest) + ", and by " + short_number(y.back()) +
-           " rad at the end";
+           "\xC2\xB0) an edge in the mean," + in_frame(input, e.greatest) + ", and by " +
+           short_number(y.back()) + " rad at the end";
 }
 
 std::string length_sentence(const ReportInput& input, std::size_t, const std::vector<double>& y) {
     const Extremes e = extremes(y);
-    return "has fibres of " + short_number(y[static_cast<std::size_t>(e.least)]) + " mm (" + in_frame(input, e.least).substr(1) +
-           ") to " + short_number(y[static_cast<std::size_t>(e.greatest)]) + " mm (" + in_frame(input, e.greatest).substr(1) +
-           ") in the mean";
+    return "has fibres of " + short_number(y[static_cast<std::size_t>(e.least)]) + " mm (" +
+           in_frame(input, e.least).substr(1) + ") to " +
+           short_number(y[static_cast<std::size_t>(e.greatest)]) + " mm (" +
+           in_frame(input, e.greatest).substr(1) + ") in the mean";
 }
 
 std::string arm_sentence(const ReportInput& input, std::size_t, const std::vector<double>& y) {
     const Extremes e = extremes(y);
     const double low = y[static_cast<std::size_t>(e.least)], high = y[static_cast<std::size_t>(e.greatest)];
-    std::string text = "pulls with a mean moment arm of " + short_number(low) + " mm (" + in_frame(input, e.least).substr(1) + ") to " +
-                       short_number(high) + " mm (" + in_frame(input, e.greatest).substr(1) + ")";
+    std::string text = "pulls with a mean moment arm of " + short_number(low) + " mm (" +
+                       in_frame(input, e.least).substr(1) + ") to " + short_number(high) + " mm (" +
+                       in_frame(input, e.greatest).substr(1) + ")";
     if (low < 0 && high > 0)
         text += ", so its sense changes on the way";
     return text;
@@ -95,9 +102,11 @@ std::string penetration_sentence(const ReportInput& input, std::size_t muscle, c
     const double number = c.greatest < 0 ? 0 : counts[static_cast<std::size_t>(c.greatest)];
     if (number <= 0)
         return most <= 0 ? "never enters a bone"
-                         : "enters bones by no more than " + short_number(most, 2) + " mm, less than what counts as inside (0.1 mm)";
-    return "is inside a bone by up to " + short_number(most, 2) + " mm" + in_frame(input, e.greatest) + "; at most " +
-           std::to_string(std::lround(number)) + (number == 1 ? " vertex is" : " vertices are") + " deeper than 0.1 mm" +
+                         : "enters bones by no more than " + short_number(most, 2) +
+                               " mm, less than what counts as inside (0.1 mm)";
+    return "is inside a bone by up to " + short_number(most, 2) + " mm" + in_frame(input, e.greatest) +
+           "; at most " + std::to_string(std::lround(number)) +
+           (number == 1 ? " vertex is" : " vertices are") + " deeper than 0.1 mm" +
            in_frame(input, c.greatest);
 }
 
@@ -116,12 +125,12 @@ struct ChartRow {
 const std::vector<ChartRow>& chart_rows() {
     static const std::vector<ChartRow> rows{
         {"volume_ratio", "Volume ratio", "1", nullptr, nullptr, 1.0, 0.002, volume_sentence, 1},
-        {"edge_extension_mean", "Mean edge extension, band from 10th to 90th percentile", "1", "edge_extension_p10",
-         "edge_extension_p90", 1.0, 0.01, extension_sentence, 1},
+        {"edge_extension_mean", "Mean edge extension, band from 10th to 90th percentile", "1",
+         "edge_extension_p10", "edge_extension_p90", 1.0, 0.01, extension_sentence, 1},
         {"dihedral_change_mean_rad", "Mean dihedral change", "rad", nullptr, nullptr, std::nullopt, 0.01,
          dihedral_sentence, 0},
-        {"fibre_length_mean_mm", "Mean fibre length, band from 5th to 95th percentile", "mm", "fibre_length_p5_mm",
-         "fibre_length_p95_mm", std::nullopt, 1.0, length_sentence, 0},
+        {"fibre_length_mean_mm", "Mean fibre length, band from 5th to 95th percentile", "mm",
+         "fibre_length_p5_mm", "fibre_length_p95_mm", std::nullopt, 1.0, length_sentence, 0},
         {"moment_arm_mean_mm", "Mean moment arm, band from 5th to 95th percentile", "mm", "moment_arm_p5_mm",
          "moment_arm_p95_mm", 0.0, 1.0, arm_sentence, 0},
         {"penetration_max_mm", "Greatest depth in a bone", "mm", nullptr, nullptr, std::nullopt, 0.1,
@@ -183,7 +192,8 @@ std::string metric_sentence(const ReportInput& input, const ChartRow& row) {
             spoken = m;
         }
     }
-    const std::string start = with > 1 ? "Of " + std::to_string(with) + " muscles the one furthest off, " : "The muscle ";
+    const std::string start =
+        with > 1 ? "Of " + std::to_string(with) + " muscles the one furthest off, " : "The muscle ";
     return start + muscles[spoken].name + (with > 1 ? ", " : " ") +
            row.sentence(input, spoken, metric_series(input, spoken, row.key)) + ".";
 }
@@ -229,9 +239,9 @@ std::optional<ReportChart> time_chart(const ReportInput& input) {
             add(stage, y, 1);
         return chart;
     };
-    std::string text = "Solving " + std::to_string(count - 1) + (count == 2 ? " frame took " : " frames took ") +
-                       short_number(speed.solve_seconds) + " s: " + short_number(speed.fps_median) +
-                       " frames a second in the median";
+    std::string text = "Solving " + std::to_string(count - 1) +
+                       (count == 2 ? " frame took " : " frames took ") + short_number(speed.solve_seconds) +
+                       " s: " + short_number(speed.fps_median) + " frames a second in the median";
     if (!sums.empty()) {
         const auto most = std::max_element(sums.begin(), sums.end(),
                                            [](const auto& a, const auto& b) { return a.second < b.second; });
@@ -256,8 +266,9 @@ std::string short_number(double value, int digits) {
     const int before = size > 0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
     const int decimals = std::clamp(digits - before, 0, 6);
     const bool tiny = size > 0 && size < 1e-4;
-    const auto end = tiny ? std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, digits - 1)
-                          : std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals);
+    const auto end =
+        tiny ? std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, digits - 1)
+             : std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals);
     std::string result(text, end.ptr);
     if (!tiny && result.find('.') != std::string::npos) {
         result.erase(result.find_last_not_of('0') + 1);

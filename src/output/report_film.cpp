@@ -3,6 +3,7 @@
 #include "fascicle/base/error.hpp"
 #include "fascicle/io/files.hpp"
 #include "fascicle/metrics/metric_table.hpp"
+#include "fascicle/metrics/muscle_measure.hpp"
 #include "output/html_report.hpp"
 #include "output/run_pictures.hpp"
 #include "output/staged_files.hpp"
@@ -69,7 +70,8 @@ std::vector<Shot> report_shots(const Recording& recording, const PictureLook& lo
 
 ReportFilm::ReportFilm(const ExportRequest& request, RecordingPtr recording, std::vector<std::string> titles,
                        std::shared_ptr<const MeasuredRows> measured)
-    : request_(request), recording_(std::move(recording)), titles_(std::move(titles)), measured_(std::move(measured)) {
+    : request_(request), recording_(std::move(recording)), titles_(std::move(titles)),
+      measured_(std::move(measured)) {
     check_no_input(request_.target, recording_->scene());
 }
 

@@ -137,8 +137,10 @@ view::Camera Pictures::camera(double aspect) const {
 
 render::Image Pictures::draw(int frame, int width, int height) {
     const double aspect = double(width) / height;
-    const render::DrawList list = view::build_draw_list(view::subject_of(recording_, frame), view_,
-                                                        camera(aspect).pose(aspect), cache_);
+    render::DrawList list = view::build_draw_list(view::subject_of(recording_, frame), view_,
+                                                  camera(aspect).pose(aspect), cache_);
+    if (transparent_)
+        list.background_top[3] = list.background_bottom[3] = 0;
     return renderer_.draw(list, width, height);
 }
 

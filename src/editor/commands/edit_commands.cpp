@@ -1,4 +1,5 @@
 #include "editor/commands/command_groups.hpp"
+#include "editor/features.hpp"
 #include "fascicle/document/actions/scene_actions.hpp"
 
 namespace fascicle::editor {
@@ -25,6 +26,8 @@ void escape(EditorContext& context) {
         context.document.discard_edits();
     else if (state.show_shortcuts)
         state.show_shortcuts = false;
+    else if (context.features.exporter.running())
+        context.features.exporter.cancel();
     else if (context.runs.running())
         run_command(context, C::cancel_run);
     else

@@ -1,6 +1,7 @@
 #pragma once
 // All dialogs of the editor; EditorContext knows only that there are some.
 
+#include "editor/dialogs/export_dialog.hpp"
 #include "editor/dialogs/mesh_dialog.hpp"
 #include "editor/dialogs/picture_dialog.hpp"
 
@@ -9,8 +10,9 @@ namespace fascicle::editor {
 struct Dialogs {
     MeshDialog mesh;
     PictureDialog picture;
+    ExportDialog exporting;
 
-    std::vector<Dialog*> all() { return {&mesh, &picture}; }
+    std::vector<Dialog*> all() { return {&mesh, &picture, &exporting}; }
 };
 
 } // namespace fascicle::editor

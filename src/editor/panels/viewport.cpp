@@ -24,6 +24,8 @@ public:
         EditorState& state = context.state;
         const view::ViewSize size{double(area.width()), double(area.height())};
         state.view_aspect = size.aspect();
+        state.view_width = std::max(1, static_cast<int>(area.width()));
+        state.view_height = std::max(1, static_cast<int>(area.height()));
         state.camera.set_scene_bounds(bounds(context));
         if (state.frame_view_pending) {
             state.frame_view_pending = false;

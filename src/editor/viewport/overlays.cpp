@@ -1,5 +1,6 @@
 #include "editor/viewport_tool.hpp"
 
+#include "editor/viewport/recording_badge.hpp"
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/legend.hpp"
 #include "editor/widgets/paint.hpp"
@@ -117,6 +118,7 @@ const std::vector<OverlayRow>& viewport_overlays() {
         {"legend", draw_legends},
         {"state", draw_state},
         {"empty", draw_empty},
+        {"recording", draw_recording_badge},
     };
     return rows;
 }
