@@ -14,7 +14,7 @@ namespace fascicle::output {
 
 namespace {
 
-constexpr int picture_width = 1200, picture_height = 800;
+constexpr int picture_width = 1080, picture_height = 720;
 
 /// Local time, to the minute.
 std::string now_text() {

@@ -152,7 +152,9 @@ TEST_CASE("An export of data that is cancelled leaves nothing", "[output][unit]"
         JobControl control;
         control.cancel = &stop;
         control.report = [&](std::string_view, double fraction) { stop = stop || fraction > 0.4; };
-        CHECK_THROWS_AS(export_data(request(kind, folder.path() / "x"), *recording, control), Cancelled);
+        ExportRequest r = request(kind, folder.path() / "x");
+        r.last = 5;
+        CHECK_THROWS_AS(export_data(r, *recording, control), Cancelled);
         CHECK(fs::is_empty(folder.path()));
     }
 }

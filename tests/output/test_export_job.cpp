@@ -1,4 +1,5 @@
 #include "editor/hand_run.hpp"
+#include "fascicle/base/error.hpp"
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/png.hpp"
 #include "output/export_job.hpp"
@@ -160,7 +161,7 @@ TEST_CASE("An export that is cancelled while it draws leaves nothing", "[output]
             job.cancel();
             CHECK_THROWS_AS(job.finish(), Cancelled);
         }
-        fs::remove(folder.path() / "new"); // AtomicFile makes folders and leaves them, empty
+        fs::remove(folder.path() / "new"); // atomic files make folders and leaves them, empty
         CHECK(fs::is_empty(folder.path()));
     }
 }
