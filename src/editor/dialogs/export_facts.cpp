@@ -102,18 +102,17 @@ std::string estimate_text(const EditorContext& context, const output::ExportRequ
     // Bytes a pixel, a vertex with its triangles, a row: measured on the hip scene.
     switch (request.kind) {
     case ExportKind::picture:
-        return "1 picture, about " + bytes_text(pixels * (context.state.exporting.transparent ? 0.5 : 0.9));
+        return "1 picture, about " + bytes_text(pixels * 0.25);
     case ExportKind::pictures:
-        return count_text(pictures, "picture", "pictures") + ", about " +
-               bytes_text(pixels * (context.state.exporting.transparent ? 0.5 : 0.9));
+        return count_text(pictures, "picture", "pictures") + ", about " + bytes_text(pixels * 0.25);
     case ExportKind::gif:
-        return count_text(pictures, "picture", "pictures") + ", about " + bytes_text(pixels * 0.12);
+        return count_text(pictures, "picture", "pictures") + ", about " + bytes_text(pixels * 0.05);
     case ExportKind::video:
         return count_text(pictures, "picture", "pictures") + ", about " + bytes_text(pixels * 0.02);
     case ExportKind::meshes: {
         const auto bodies = static_cast<int>(scene.muscles.size() + scene.bones.size());
         return count_text(pictures * bodies, "file", "files") + ", about " +
-               bytes_text(vertices_of(scene, true) * pictures * 110);
+               bytes_text(vertices_of(scene, true) * pictures * 100);
     }
     case ExportKind::mesh:
         return "1 file, about " + bytes_text(vertices_of(scene, true) * 95);
@@ -127,17 +126,17 @@ std::string estimate_text(const EditorContext& context, const output::ExportRequ
                 ++muscles;
             }
         return count_text(pictures * muscles + 1, "file", "files") + ", about " +
-               bytes_text(points * pictures * 150);
+               bytes_text(points * pictures * 170);
     }
     case ExportKind::metrics:
         return "1 table of " +
                count_text(static_cast<int>(frames * double(scene.muscles.size())), "row", "rows") +
-               ", about " + bytes_text(frames * double(scene.muscles.size()) * 900);
+               ", about " + bytes_text(frames * double(scene.muscles.size()) * 1050);
     case ExportKind::run:
         return "a folder, about " +
                bytes_text(vertices_of(scene, false) * frames * 140 + vertices_of(scene, true) * 90);
     case ExportKind::report:
-        return "1 page with 4 pictures, about " + bytes_text(4.5e6);
+        return "1 page with 4 pictures, about " + bytes_text(1.2e6);
     }
     return {};
 }
