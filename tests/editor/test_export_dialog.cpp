@@ -27,7 +27,7 @@ constexpr int key_e_code = 'E';
 struct Session {
     render::OsmesaContext gl;
     TempDir folder;
-    Driver d;
+    Driver d{test::small_scene(), 900, 600}; // pictures of a small view are quick
 
     explicit Session(int frames = 5) {
         d.editor().use_gl();
@@ -212,9 +212,11 @@ TEST_CASE("Kinds that cannot be exported say why", "[editor][ui][export]") {
 
 TEST_CASE("A badge counts while an export runs, the interface goes on, and Esc leaves nothing",
           "[editor][ui][export]") {
-    Session s(40);
+    Session s(61);
     s.choose("pictures");
-    s.d.state().exporting.scale = 2;
+    s.d.state().exporting.scale = 0;
+    s.d.state().exporting.width = 500;
+    s.d.state().exporting.height = 400;
     s.d.click("export/start");
     REQUIRE(s.d.editor().features().exporter.running());
     CHECK(s.d.has("viewport/recording"));
@@ -225,7 +227,7 @@ TEST_CASE("A badge counts while an export runs, the interface goes on, and Esc l
     CHECK_FALSE(s.d.has("export/start"));
     const output::ExportJob* job = s.d.editor().features().exporter.job();
     REQUIRE(job != nullptr);
-    CHECK(job->total() == 40);
+    CHECK(job->total() == 61);
     s.d.key(key_escape);
     CHECK_FALSE(s.d.editor().features().exporter.running());
     for (int i = 0; i < 1000 && s.entries() > 0; ++i) {

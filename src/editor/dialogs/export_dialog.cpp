@@ -156,7 +156,7 @@ void ExportDialog::draw(EditorContext& context) {
     }
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float left = std::min(room.x * 0.34f, context.px(214)), gap = context.px(18);
-    const float foot = ImGui::GetFrameHeight() + context.px(14);
+    const float foot = ImGui::GetFrameHeight() + context.px(10) + 2 * ImGui::GetStyle().ItemSpacing.y;
     const ImVec2 right{room.x - left - gap, room.y - foot};
     draw_kinds(context, {left, right.y});
     ImGui::SameLine(0, gap);
@@ -215,7 +215,8 @@ void ExportDialog::draw_kinds(EditorContext& context, ImVec2 size) {
             }
             record_item(std::string("export/kind/") + row.key);
             ImGui::PopID();
-            item_tooltip(reason.empty() ? row.help : std::string(row.help) + "\nNot now: " + reason + ".");
+            item_tooltip(std::string(chosen ? "" : row.help) + (reason.empty() ? "" : "
+Not now: " + reason + "."));
             ImDrawList& list = *ImGui::GetWindowDrawList();
             const ImU32 text = !reason.empty() ? theme.text_faint : theme.text;
             const float x = at.x + context.px(12), mark = context.px(22);
@@ -385,7 +386,7 @@ void ExportDialog::draw_size(EditorContext& context) {
         item_tooltip("Times the size of the view on the screen, drawn anew, not stretched.");
         ImGui::SameLine(0, context.px(12));
     }
-    if (ImGui::RadioButton("own", choices.scale == 0))
+    if (ImGui::RadioButton("Own", choices.scale == 0))
         choices.scale = 0;
     record_item("export/scale/own");
     item_tooltip("Width and height in pixels.");
