@@ -2,13 +2,15 @@
 // All features of the editor; EditorContext knows only that there are some.
 
 #include "editor/scene_opener.hpp"
+#include "editor/settings.hpp"
 
 namespace fascicle::editor {
 
 struct Features {
+    Settings settings;
     SceneOpener opener;
 
-    std::vector<Feature*> all() { return {&opener}; }
+    std::vector<Feature*> all() { return {&settings, &opener}; }
 };
 
 } // namespace fascicle::editor
