@@ -13,8 +13,8 @@ constexpr Modifiers shift{.shift = true};
 
 std::vector<KeyBinding> make_bindings() {
     std::vector<KeyBinding> rows;
-    for (const auto& group :
-         {file_commands, edit_commands, timeline_commands, view_commands, show_commands, window_commands}) {
+    for (const auto& group : {file_commands, edit_commands, timeline_commands, view_commands, show_commands,
+                              paint_commands, window_commands}) {
         const std::vector<KeyBinding> more = group();
         rows.insert(rows.end(), more.begin(), more.end());
     }
@@ -37,6 +37,12 @@ std::string key_name(int key) {
         return "Left";
     case key_right:
         return "Right";
+    case key_tab:
+        return "Tab";
+    case key_enter:
+        return "Enter";
+    case key_backspace:
+        return "Backspace";
     case key_home:
         return "Home";
     case key_end:

@@ -15,7 +15,11 @@ struct PointerInput {
     int pressed =
         -1; ///< button that went down in this frame over the view (0 left, 1 right, 2 middle), or -1
     int released = -1; ///< button that came up in this frame, or -1
-    bool ctrl = false, shift = false;
+    bool ctrl = false, shift = false, alt = false;
+    bool camera_held =
+        false; ///< the key that gives the pointer to the camera (V): some desktops keep Alt for themselves
+    bool double_clicked =
+        false;           ///< the press of this frame is the second of a double-click of the left button
     bool inside = false; ///< the pointer is over the view, and nothing is in front
 };
 
