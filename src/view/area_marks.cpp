@@ -261,7 +261,7 @@ render::Rgba AreaMarks::colour_of(int vertex) const {
 
 /// Vertices near each other in number become one range: numbers of neighbours on the surface mostly are.
 void AreaMarks::recolour(std::vector<int> vertices) {
-    constexpr int gap = 48, most_ranges = 64;
+    constexpr int gap = 48, most_ranges = 160;
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     for (const int v : vertices)
