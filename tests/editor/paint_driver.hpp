@@ -40,7 +40,7 @@ inline Scene blades(bool moving = false) {
 class PaintDriver : public Driver {
 public:
     explicit PaintDriver(Scene scene = blades(), const char* bone = "blade_l", bool enter = true)
-        : Driver(std::move(scene)) {
+        : Driver(std::move(scene), 1280, 1900) { // tall: the whole panel is in sight
         frame(3);
         key(editor::key_pad_0 + 1); // from the front
         state().playback.playing = false;
@@ -107,11 +107,12 @@ public:
     const Vec3& vertex(int v, int bone = 0) {
         return document().scene().bones[std::size_t(bone)].mesh->positions[std::size_t(v)];
     }
-    /// How many of the painted vertices lie on the blade's back.
+    /// How many of the painted vertices lie on the blade's back, inside its rim.
     int on_back(const std::vector<int>& vertices) {
         int count = 0;
         for (const int v : vertices)
-            count += vertex(v).y() > 1.9 ? 1 : 0;
+            count += vertex(v).y() > 1.9 && std::abs(vertex(v).x() - 40) < 29.5 &&
+                     std::abs(vertex(v).z() - 20) < 19.5;
         return count;
     }
     /// Makes an area without painting.

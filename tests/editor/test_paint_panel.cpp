@@ -179,24 +179,27 @@ TEST_CASE("The view shows areas outside of paint mode too, and fades the rest wi
     CHECK(item(list(), view::bone_item_id(0)).live_colours != nullptr); // painting shows what is painted
 }
 
-TEST_CASE("The paint panel draws at every size and scale, idle, empty and full", "[editor][paint]") {
-    PaintDriver d;
-    d.set([](const Vec3& p) { return p.y() == 0 && p.x() < 40; });
-    for (const auto& [width, height, scale] : {std::tuple{320.0f, 240.0f, 1.0f}, {2560.0f, 1600.0f, 2.0f}}) {
-        test::Driver other(blades(), width, height, scale);
-        other.state().side_panel = "paint";
-        other.frame(3);
-        other.state().selection = {Selection::Kind::bone, "blade_l"};
-        other.frame(2);
-        other.key(key_tab);
-        other.frame(3);
-        CHECK(other.state().tool == Tool::paint);
-        other.state().dark = false;
-        other.frame(3);
+TEST_CASE("The paint panel draws at every size and scale, idle and painting", "[editor][paint]") {
+    for (const auto& [width, height, scale] :
+         {std::tuple{320.0f, 240.0f, 1.0f}, std::tuple{2560.0f, 1600.0f, 2.0f}}) {
+        test::Driver d(blades(), width, height, scale);
+        d.state().side_panel = "paint";
+        d.frame(3);
+        d.state().selection = {Selection::Kind::bone, "blade_l"};
+        d.frame(2);
+        d.key(key_tab);
+        d.frame(3);
+        CHECK(d.state().tool == Tool::paint);
+        d.state().dark = false;
+        d.frame(3);
     }
-    test::Driver empty(Scene{});
-    empty.state().side_panel = "paint";
-    empty.frame(3);
-    empty.click("paint/enter");
-    CHECK(empty.state().tool == Tool::look);
+}
+
+TEST_CASE("The paint panel of an empty scene says what is missing", "[editor][paint]") {
+    test::Driver d(Scene{});
+    d.state().side_panel = "paint";
+    d.frame(3);
+    d.click("paint/enter");
+    CHECK(d.state().tool == Tool::look);
+    CHECK(d.command_state(Command::paint_mode).reason == "the scene has no muscle to paint for");
 }

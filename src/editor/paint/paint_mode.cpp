@@ -76,8 +76,13 @@ void PaintMode::enter(EditorContext& context) {
         state.selection = {Selection::Kind::bone, bone_};
     } else {
         bone_ = state.selection.name;
-        if (scene.muscle_index(muscle_) < 0)
+        if (scene.muscle_index(muscle_) < 0) {
             muscle_ = scene.muscles.front().name;
+            for (auto it = scene.muscles.rbegin(); it != scene.muscles.rend(); ++it)
+                if (attached_bone(scene, *it) ==
+                    scene.bone_index(bone_)) // the first whose insertion is there
+                    muscle_ = it->name;
+        }
     }
     followed_ = state.selection;
     state.hidden.erase(bone_);

@@ -381,7 +381,18 @@ void PaintTool::make_preview(EditorContext& context, const PointerInput& input, 
             const actions::AreaKey& pair = other.stroke->area;
             const MeshPtr& mesh = context.document.scene().bones[static_cast<std::size_t>(pair.bone)].mesh;
             if (pair.bone == key.bone || paint_.has_surface(mesh)) {
-                const std::vector<int> image = paint_.mirrored_vertices(context, touched);
+                std::vector<int> image;
+                if (follows_surface(settings)) { // as the stroke does it: the image of the pointer
+                    Brush other_brush = brush;
+                    if (brush.eye)
+                        other_brush.eye = mirrored(*brush.eye, other.stroke->plane);
+                    image = brush_vertices(
+                        all.search(mesh),
+                        mirror_point(at.point, all.graph(mesh), other.stroke->plane, other.stroke->reach),
+                        other_brush);
+                } else {
+                    image = paint_.mirrored_vertices(context, touched);
+                }
                 highlights.push_back(
                     {pair.bone,
                      would_change(context.document.scene(), all.graph(mesh), pair, wanted, locked, image),

@@ -26,8 +26,9 @@ SurfacePoint PaintView::pick(const SurfaceGraph& graph, double x, double y) cons
 }
 
 Vec3 PaintView::eye() const {
-    const Vec3 world =
-        camera.orthographic() ? Vec3(camera.pivot() + 1e5 * camera.distance() * camera.backward()) : camera.eye();
+    const Vec3 world = camera.orthographic()
+                           ? Vec3(camera.pivot() + 1e5 * camera.distance() * camera.backward())
+                           : camera.eye();
     return pose.apply_inverse(world);
 }
 
