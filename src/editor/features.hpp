@@ -3,15 +3,17 @@
 
 #include "editor/paint/paint_tool.hpp"
 #include "editor/scene_opener.hpp"
+#include "editor/settings.hpp"
 
 namespace fascicle::editor {
 
 struct Features {
+    Settings settings;
     SceneOpener opener;
     PaintMode paint;
     PaintTool paint_tool{paint};
 
-    std::vector<Feature*> all() { return {&opener, &paint}; }
+    std::vector<Feature*> all() { return {&settings, &opener, &paint}; }
 };
 
 } // namespace fascicle::editor

@@ -1,16 +1,18 @@
 #pragma once
 // All dialogs of the editor; EditorContext knows only that there are some.
 
+#include "editor/dialogs/command_search.hpp"
 #include "editor/dialogs/mesh_dialog.hpp"
 #include "editor/dialogs/picture_dialog.hpp"
 
 namespace fascicle::editor {
 
 struct Dialogs {
+    CommandSearch search;
     MeshDialog mesh;
     PictureDialog picture;
 
-    std::vector<Dialog*> all() { return {&mesh, &picture}; }
+    std::vector<Dialog*> all() { return {&search, &mesh, &picture}; }
 };
 
 } // namespace fascicle::editor

@@ -65,6 +65,7 @@ private:
         input.shift = io.KeyShift;
         input.alt = io.KeyAlt;
         input.camera_held = io.KeysDown[key_v];
+        input.navigation = context.state.navigation;
         input.inside = hovered && !cube_hovered_;
         for (int button = 0; button < 3; ++button) {
             if (input.inside && ImGui::IsMouseClicked(button))
@@ -72,8 +73,7 @@ private:
             if (ImGui::IsMouseReleased(button))
                 input.released = button;
         }
-        input.double_clicked = input.inside && ImGui::IsMouseDoubleClicked(0);
-        if (input.double_clicked && !io.KeyCtrl && !io.KeyShift &&
+        if (input.inside && ImGui::IsMouseDoubleClicked(0) && !io.KeyCtrl && !io.KeyShift &&
             (active_tool(context) == nullptr || input.alt || input.camera_held))
             if (const std::optional<Hit> hit = pick_at(context, input, size))
                 context.state.camera.set_pivot(hit->point);
