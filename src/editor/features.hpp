@@ -1,6 +1,7 @@
 #pragma once
 // All features of the editor; EditorContext knows only that there are some.
 
+#include "editor/paint/paint_tool.hpp"
 #include "editor/scene_opener.hpp"
 #include "editor/settings.hpp"
 
@@ -9,8 +10,10 @@ namespace fascicle::editor {
 struct Features {
     Settings settings;
     SceneOpener opener;
+    PaintMode paint;
+    PaintTool paint_tool{paint};
 
-    std::vector<Feature*> all() { return {&settings, &opener}; }
+    std::vector<Feature*> all() { return {&settings, &opener, &paint}; }
 };
 
 } // namespace fascicle::editor

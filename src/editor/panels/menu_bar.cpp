@@ -18,7 +18,7 @@ public:
         if (!ImGui::BeginMenuBar())
             return;
         menu(context, "File", {C::open_file, C::save_picture, C::save_picture_as}, {C::quit});
-        menu(context, "Edit", {C::undo, C::redo}, {C::remove_selected, C::deselect});
+        menu(context, "Edit", {C::undo, C::redo}, {C::paint_mode, C::remove_selected, C::deselect});
         view_menu(context);
         menu(context, "Run", {C::run_again, C::cancel_run},
              {C::play_pause, C::step_back, C::step_on, C::first_frame, C::last_frame, C::toggle_loop,
