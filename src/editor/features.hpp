@@ -2,15 +2,20 @@
 // All features of the editor; EditorContext knows only that there are some.
 
 #include "editor/exporter.hpp"
+#include "editor/paint/paint_tool.hpp"
 #include "editor/scene_opener.hpp"
+#include "editor/settings.hpp"
 
 namespace fascicle::editor {
 
 struct Features {
+    Settings settings;
     SceneOpener opener;
+    PaintMode paint;
+    PaintTool paint_tool{paint};
     Exporter exporter;
 
-    std::vector<Feature*> all() { return {&opener, &exporter}; }
+    std::vector<Feature*> all() { return {&settings, &opener, &paint, &exporter}; }
 };
 
 } // namespace fascicle::editor

@@ -1,5 +1,7 @@
 #include "editor/scene_view.hpp"
 
+#include "editor/features.hpp"
+
 #include <algorithm>
 #include <chrono>
 
@@ -26,9 +28,15 @@ std::size_t count_vertices(const std::vector<std::vector<Attachment>>& lists) {
 
 view::ViewSubject view_subject(const EditorContext& context) {
     const ShownFrame shown = context.shown();
-    if (shown.frame != nullptr)
-        return view::subject_of(*shown.recording, shown.frame->index);
-    return view::subject_of(context.document.head());
+    view::ViewSubject subject = shown.frame != nullptr
+                                    ? view::subject_of(*shown.recording, shown.frame->index)
+                                    : view::subject_of(context.document.head());
+    // Areas are those of the document, also while they are being painted, whatever the run was made with.
+    PaintMode& paint = context.features.paint;
+    subject.areas = paint.shown_areas(context);
+    subject.highlights = paint.highlights();
+    subject.marked = paint.marked_vertices(context);
+    return subject;
 }
 
 view::ViewOptions view_options(const EditorContext& context, const Scene& scene) {
@@ -38,7 +46,10 @@ view::ViewOptions view_options(const EditorContext& context, const Scene& scene)
         options.hidden_bones.push_back(!state.visible(bone.name));
     for (const Muscle& muscle : scene.muscles)
         options.hidden_muscles.push_back(!state.visible(muscle.name));
-    options.attachments = state.attachments;
+    const bool painting = state.tool == Tool::paint;
+    options.attachments = state.attachments || painting;
+    if (painting)
+        options.focus_bone = context.features.paint.bone(context);
     options.colouring = state.colouring;
     options.wireframe = state.wireframe;
     options.rest_ghost = state.rest_ghost;
@@ -55,6 +66,7 @@ SceneView::SceneView(bool best_quality) : best_quality_(best_quality) {}
 bool SceneView::same(const Key& a, const Key& b) {
     return a.scene == b.scene && a.frame == b.frame && a.attachment_count == b.attachment_count &&
            a.camera.view == b.camera.view && a.camera.projection == b.camera.projection &&
+           a.areas == b.areas && a.highlights == b.highlights && a.marked == b.marked &&
            a.options == b.options && a.dark == b.dark && a.width == b.width && a.height == b.height &&
            a.scale == b.scale;
 }
@@ -77,6 +89,9 @@ unsigned SceneView::texture(const EditorContext& context, int width, int height)
     const Key key{subject.scene,
                   subject.frame,
                   count_vertices(subject.attachments),
+                  subject.areas,
+                  subject.highlights,
+                  subject.marked,
                   state.camera.pose(aspect),
                   options,
                   state.dark,

@@ -35,6 +35,9 @@ private:
         ScenePtr scene;
         FramePtr frame;
         std::size_t attachment_count = 0;
+        view::ShownAreas areas;
+        std::shared_ptr<const std::vector<view::BoneHighlight>> highlights;
+        std::shared_ptr<const view::ViewSubject::MarkedVertices> marked;
         render::CameraPose camera;
         view::ViewOptions options;
         bool dark = false;

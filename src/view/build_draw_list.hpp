@@ -16,6 +16,16 @@ struct ViewSubject {
     std::vector<std::vector<Attachment>> attachments;
     /// Fibres of the run, one a muscle, null or missing: none.
     std::vector<FibreModelPtr> fibres{};
+    /// Areas on bones; null: those stored in the scene.
+    ShownAreas areas{};
+    /// What a paint tool would change; null: nothing.
+    std::shared_ptr<const std::vector<BoneHighlight>> highlights{};
+    /// Muscle vertices to mark with dots; null: none.
+    struct MarkedVertices {
+        int muscle = -1;
+        std::vector<int> vertices;
+    };
+    std::shared_ptr<const MarkedVertices> marked{};
 };
 /// A scene before any run.
 ViewSubject subject_of(ScenePtr scene);
@@ -40,6 +50,7 @@ struct ViewOptions {
     bool line_muscles = true; ///< of the scene's model, as lines
     bool rest_ghost = false;  ///< muscles at rest, faint, behind those of a later frame
     bool wireframe = false;
+    int focus_bone = -1; ///< while it is painted: all else is faded; -1: none
     float bone_opacity = 1.0f;
     float muscle_opacity = 1.0f;
     int selected_bone = -1, selected_muscle = -1; ///< drawn brighter; -1: none

@@ -50,6 +50,7 @@ inline constexpr Rgba attachment{0.95f, 0.66f, 0.15f, 1.0f}; ///< kind unknown
 inline constexpr Rgba joint_axis{0.10f, 0.45f, 0.30f, 1.0f};
 inline constexpr Rgba line_muscle{0.10f, 0.24f, 0.45f, 1.0f};
 inline constexpr Rgba fibre{0.55f, 0.12f, 0.14f, 1.0f};
+inline constexpr Rgba fixed_vertex{0.10f, 0.62f, 0.30f, 1.0f};
 inline constexpr Rgba ghost{0.45f, 0.48f, 0.55f, 0.25f};
 } // namespace palette
 

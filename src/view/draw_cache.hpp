@@ -6,6 +6,7 @@
 #include "fascicle/metrics/line_tracker.hpp"
 #include "fascicle/scene/recording.hpp"
 #include "render/draw_list.hpp"
+#include "view/area_marks.hpp"
 #include "view/attachment_marks.hpp"
 #include "view/bone_distance_cache.hpp"
 #include "view/colour_map.hpp"
@@ -58,6 +59,13 @@ public:
     /// Segments of the scene's line muscles in a frame, null: at rest. The scene has some.
     FloatPoints line_paths(const ScenePtr& scene, const FramePtr& frame);
 
+    /// Areas of the scene as they are stored.
+    const ShownAreas& scene_areas(const ScenePtr& scene);
+    /// Colours and borders of the areas on a bone, over the bone's own colour. highlights: null for none.
+    const AreaMarks& bone_marks(std::size_t bone, const MeshPtr& mesh, const ShownAreas& areas,
+                                const std::shared_ptr<const std::vector<BoneHighlight>>& highlights,
+                                const render::Rgba& base);
+
     /// Box of all meshes of the scene at rest, shown or not.
     BoundingBox rest_bounds(const Scene& scene);
 
@@ -96,6 +104,16 @@ private:
     const MeshTopology& topology(Object& object);
     void set_attachments(Object& object, const std::vector<Attachment>& attachments);
     SurfaceArrays make_surface(const Points& points, const TriMesh& mesh);
+
+    struct BoneMarks {
+        std::unique_ptr<AreaMarks> marks;
+        ShownAreas areas; ///< that the marks were made from, as the other two
+        std::shared_ptr<const std::vector<BoneHighlight>> highlights;
+        render::Rgba base{};
+    };
+    std::vector<BoneMarks> bone_marks_;
+    ScenePtr areas_scene_;
+    ShownAreas scene_areas_;
 
     std::vector<Object> bones_, muscles_;
     std::unique_ptr<LineTracker> lines_;

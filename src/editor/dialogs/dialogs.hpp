@@ -1,6 +1,7 @@
 #pragma once
 // All dialogs of the editor; EditorContext knows only that there are some.
 
+#include "editor/dialogs/command_search.hpp"
 #include "editor/dialogs/export_dialog.hpp"
 #include "editor/dialogs/mesh_dialog.hpp"
 #include "editor/dialogs/picture_dialog.hpp"
@@ -8,11 +9,12 @@
 namespace fascicle::editor {
 
 struct Dialogs {
+    CommandSearch search;
     MeshDialog mesh;
     PictureDialog picture;
     ExportDialog exporting;
 
-    std::vector<Dialog*> all() { return {&mesh, &picture, &exporting}; }
+    std::vector<Dialog*> all() { return {&search, &mesh, &picture, &exporting}; }
 };
 
 } // namespace fascicle::editor

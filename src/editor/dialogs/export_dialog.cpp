@@ -215,8 +215,8 @@ void ExportDialog::draw_kinds(EditorContext& context, ImVec2 size) {
             }
             record_item(std::string("export/kind/") + row.key);
             ImGui::PopID();
-            item_tooltip(std::string(chosen ? "" : row.help) + (reason.empty() ? "" : "
-Not now: " + reason + "."));
+            item_tooltip(std::string(chosen ? "" : row.help) +
+                         (reason.empty() ? "" : "\nNot now: " + reason + "."));
             ImDrawList& list = *ImGui::GetWindowDrawList();
             const ImU32 text = !reason.empty() ? theme.text_faint : theme.text;
             const float x = at.x + context.px(12), mark = context.px(22);

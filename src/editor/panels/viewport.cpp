@@ -65,6 +65,9 @@ private:
         input.wheel = double(io.MouseWheel != 0 ? io.MouseWheel : io.MouseWheelH);
         input.ctrl = io.KeyCtrl;
         input.shift = io.KeyShift;
+        input.alt = io.KeyAlt;
+        input.camera_held = io.KeysDown[key_v];
+        input.navigation = context.state.navigation;
         input.inside = hovered && !cube_hovered_;
         for (int button = 0; button < 3; ++button) {
             if (input.inside && ImGui::IsMouseClicked(button))
@@ -72,7 +75,8 @@ private:
             if (ImGui::IsMouseReleased(button))
                 input.released = button;
         }
-        if (input.inside && ImGui::IsMouseDoubleClicked(0) && !io.KeyCtrl && !io.KeyShift)
+        if (input.inside && ImGui::IsMouseDoubleClicked(0) && !io.KeyCtrl && !io.KeyShift &&
+            (active_tool(context) == nullptr || input.alt || input.camera_held))
             if (const std::optional<Hit> hit = pick_at(context, input, size))
                 context.state.camera.set_pivot(hit->point);
         if (ViewportTool* tool = active_tool(context);
@@ -81,7 +85,8 @@ private:
         const ViewportPointer::Result result =
             pointer_.update(input, size, double(context.scale()), context.state.camera);
         if (result.clicked && *result.clicked != 2) {
-            select(context, pick_at(context, input, size));
+            if (active_tool(context) == nullptr) // a tool keeps what it works on
+                select(context, pick_at(context, input, size));
             if (*result.clicked == 1)
                 ImGui::OpenPopup("viewport menu");
         }

@@ -30,6 +30,11 @@ std::vector<LegendEntry> attachment_entries(const EditorContext& context) {
             insertion |= attachment.kind == AttachmentKind::insertion;
             unknown |= attachment.kind == AttachmentKind::unknown;
         }
+    for (const Muscle& muscle : context.document.scene().muscles)
+        for (const AttachmentArea& area : muscle.areas) {
+            origin |= area.kind == AttachmentKind::origin;
+            insertion |= area.kind == AttachmentKind::insertion;
+        }
     std::vector<LegendEntry> entries;
     if (origin)
         entries.push_back({"Origin", packed(view::palette::origin)});
