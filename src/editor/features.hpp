@@ -1,14 +1,18 @@
 #pragma once
 // All features of the editor; EditorContext knows only that there are some.
 
+#include "editor/compare.hpp"
+#include "editor/run_shelf.hpp"
 #include "editor/scene_opener.hpp"
 
 namespace fascicle::editor {
 
 struct Features {
     SceneOpener opener;
+    RunShelf shelf;
+    Compare compare;
 
-    std::vector<Feature*> all() { return {&opener}; }
+    std::vector<Feature*> all() { return {&opener, &shelf, &compare}; }
 };
 
 } // namespace fascicle::editor

@@ -65,6 +65,14 @@ enum class Command {
     smaller_interface,
     normal_interface,
     show_shortcuts,
+    toggle_compare,
+    blink_runs,
+    swap_runs,
+    compare_side_by_side,
+    compare_ghost,
+    compare_blink,
+    compare_difference,
+    load_run,
     escape,
 };
 

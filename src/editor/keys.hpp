@@ -16,6 +16,7 @@ enum Key : int {
     key_1 = 49,
     key_equal = 61,
     key_a = 65,
+    key_b = 66,
     key_c = 67,
     key_f = 70,
     key_h = 72,

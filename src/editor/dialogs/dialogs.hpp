@@ -3,14 +3,16 @@
 
 #include "editor/dialogs/mesh_dialog.hpp"
 #include "editor/dialogs/picture_dialog.hpp"
+#include "editor/dialogs/run_dialog.hpp"
 
 namespace fascicle::editor {
 
 struct Dialogs {
     MeshDialog mesh;
     PictureDialog picture;
+    RunDialog run;
 
-    std::vector<Dialog*> all() { return {&mesh, &picture}; }
+    std::vector<Dialog*> all() { return {&mesh, &picture, &run}; }
 };
 
 } // namespace fascicle::editor

@@ -22,6 +22,10 @@ public:
         view_menu(context);
         menu(context, "Run", {C::run_again, C::cancel_run},
              {C::play_pause, C::step_back, C::step_on, C::first_frame, C::last_frame, C::toggle_loop});
+        menu(context, "Compare",
+             {C::toggle_compare, C::compare_side_by_side, C::compare_ghost, C::compare_blink,
+              C::compare_difference},
+             {C::blink_runs, C::swap_runs, C::load_run});
         window_menu(context);
         draw_title(context, area);
         ImGui::EndMenuBar();
