@@ -268,11 +268,10 @@ const MetricRows* Compare::metrics_of(const EditorContext& context, const Record
     return nullptr;
 }
 
-std::pair<std::string, double> Compare::measuring(const EditorContext& context) const {
+std::pair<std::string, double> Compare::measuring() const {
     if (metrics_job_ == nullptr)
         return {{}, 1.0};
-    const KeptRun* kept = context.features.shelf.find(metrics_job_->recording);
-    return {kept != nullptr ? kept->name : "run", metrics_job_->fraction.load()};
+    return {metrics_job_->recording == a_.recording ? a_.name : b_.name, metrics_job_->fraction.load()};
 }
 
 /// Measures what is not measured yet, one run at a time.
@@ -337,6 +336,8 @@ void Compare::update(EditorContext& context) {
         compare_frames();
     follow_playhead(context.playhead());
     measure(context);
+    metrics_a_ = metrics_of(context, a_.recording);
+    metrics_b_ = metrics_of(context, b_.recording);
     distances_wanted_ = std::max(0, distances_wanted_ - 1);
     metrics_wanted_ = std::max(0, metrics_wanted_ - 1);
     blink_on(context.now);
@@ -350,18 +351,11 @@ void Compare::update(EditorContext& context) {
         choice.shows_b = false;
 }
 
-void Compare::finish(EditorContext& context) {
-    const auto again = [&] {
-        distances_wanted_ = metrics_wanted_ = 2;
-        update(context);
-        return reason_.empty() && (job_.valid() || differences_.size() < frames_.size() || metrics_job_);
-    };
-    while (again()) {
-        if (job_.valid())
-            job_.wait();
-        if (metrics_job_ != nullptr)
-            metrics_job_->result.wait();
-    }
+void Compare::finish() const {
+    if (job_.valid())
+        job_.wait();
+    if (metrics_job_ != nullptr)
+        metrics_job_->result.wait();
 }
 
 void Compare::document_replaced(EditorContext&) {

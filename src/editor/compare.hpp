@@ -87,12 +87,14 @@ public:
     /// To be called by what shows numbers, in every frame: distances, or metrics of both runs, too.
     void want_distances() { distances_wanted_ = 2; }
     void want_metrics() { metrics_wanted_ = 2; }
-    /// Values measured so far, null when there are none yet.
-    const MetricRows* metrics_of(const EditorContext& context, const RecordingPtr& recording) const;
+    /// Values of A and B measured so far, null when there are none yet. Valid in the frame in which they are asked for.
+    const MetricRows* metrics_a() const { return metrics_a_; }
+    const MetricRows* metrics_b() const { return metrics_b_; }
     /// Name of the run that is being measured and its share done; empty when none is.
-    std::pair<std::string, double> measuring(const EditorContext& context) const;
-    /// Waits until all that is wanted is computed, for pictures and tests.
-    void finish(EditorContext& context);
+    std::pair<std::string, double> measuring() const;
+    /// Waits for what is being computed; the next update() takes it over and goes on. For pictures and tests.
+    void finish() const;
+    bool busy() const { return job_.valid() || metrics_job_ != nullptr; }
 
     void update(EditorContext& context) override;
     void document_replaced(EditorContext& context) override;
@@ -110,6 +112,7 @@ private:
     void follow_playhead(int playhead);
     void compare_frames();
     void measure(const EditorContext& context);
+    const MetricRows* metrics_of(const EditorContext& context, const RecordingPtr& recording) const;
     void blink_on(double now);
     void forget_pair();
     int number_of(const EditorContext& context, const RecordingPtr& recording) const;
@@ -129,6 +132,8 @@ private:
     std::atomic<bool> stop_{false};
 
     int distances_wanted_ = 0, metrics_wanted_ = 0; ///< for so many more frames
+    const MetricRows* metrics_a_ = nullptr;
+    const MetricRows* metrics_b_ = nullptr;
     std::unique_ptr<MetricsJob> metrics_job_;
     std::vector<std::unique_ptr<MetricsJob>> given_up_;         ///< told to stop, waited for without blocking
     std::vector<std::pair<RecordingPtr, MetricRows>> measured_; ///< empty rows: measuring failed

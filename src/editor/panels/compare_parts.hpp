@@ -4,6 +4,8 @@
 #include "editor/features.hpp"
 #include "editor/widgets/paint.hpp"
 
+#include <map>
+
 namespace fascicle::editor {
 
 /// How runs are shown, and what that way of showing needs.

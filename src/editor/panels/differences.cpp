@@ -102,8 +102,8 @@ private:
         const Compare& compare = context.features.compare;
         const std::vector<MatchedMuscle>& muscles = compare.match().muscles;
         const int last = compare.frames().empty() ? 0 : compare.frames().back().index;
-        const MetricRows* a = compare.metrics_of(context, compare.a().recording);
-        const MetricRows* b = compare.metrics_of(context, compare.b().recording);
+        const MetricRows* a = compare.metrics_a();
+        const MetricRows* b = compare.metrics_b();
         for (std::size_t i = 0; i < difference_rows.size(); ++i) {
             Curves& curves = curves_[i];
             const DifferenceRow& row = difference_rows[i];
@@ -165,7 +165,7 @@ private:
                     curve.name.clear(); // the line of the muscle has it
                 input.curves.push_back(std::move(curve));
             }
-        const auto [name, share] = compare.measuring(context);
+        const auto [name, share] = compare.measuring();
         char text[100];
         std::snprintf(text, sizeof text, "Measuring %s, %.0f %%", name.c_str(), 100 * share);
         input.empty_text = metric >= 0 && !name.empty() ? text : "No common frames yet";
