@@ -113,14 +113,14 @@ void Compare::set_options(view::ViewOptions& options) const {
 view::ColourScale Compare::difference_scale() const {
     view::ColourScale scale{choice.map, choice.low_mm, choice.high_mm};
     if (choice.range_follows) {
-        double largest = 0;
+        double rms = 0; // a single vertex far away would leave all others dark
         for (const DifferenceSummary& one : summary_)
-            largest = std::max(largest, one.max_mm);
-        if (now_)
+            rms = std::max(rms, one.rms_mm);
+        if (summary_.empty() && now_)
             for (const PointDistance& one : now_->muscles)
-                largest = std::max(largest, one.max_mm);
+                rms = std::max(rms, one.rms_mm);
         scale.low = 0;
-        scale.high = round_above(std::max(largest, 0.01)); // noise stays dark
+        scale.high = round_above(std::max(2 * rms, 0.01)); // noise stays dark
     }
     return scale;
 }

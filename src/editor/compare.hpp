@@ -34,7 +34,7 @@ struct CompareChoice {
     double blink_seconds = 0.7; ///< a picture stays for this long, 0.2 to 3
     view::ColourMap map = view::ColourMap::viridis;
     double low_mm = 0, high_mm = 5; ///< colours of the difference map, low < high
-    bool range_follows = true;      ///< low 0, high a round number above the largest distance
+    bool range_follows = true;      ///< low 0, high a round number above twice the rms distance
 };
 
 /// One of the two runs at the playhead.

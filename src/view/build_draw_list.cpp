@@ -118,7 +118,7 @@ void add_compared(render::DrawList& list, const ViewSubject& subject, const View
         render::LineItem line;
         line.points = cache.compared_edges(i, mesh, other);
         line.colour = palette::compared;
-        line.colour[3] = 0.8f;
+        line.colour[3] = 0.35f; // a fine mesh would cover all
         line.width_px = 1.0f;
         list.lines.push_back(std::move(line));
         return;

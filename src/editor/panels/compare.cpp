@@ -114,7 +114,8 @@ void draw_map_options(Compare& compare, const EditorContext& context) {
     }
     record_item("compare/fit_range");
     item_tooltip(
-        "Colours go from 0 to a round number above the largest distance of all frames.\nDefault: on");
+        "Colours go from 0 to a round number above twice the rms distance over all frames; what is farther "
+        "has the last colour.\nDefault: on");
     float range[] = {static_cast<float>(scale.low), static_cast<float>(scale.high)};
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
     if (ImGui::DragFloatRange2("##range", &range[0], &range[1], 0.02f, 0, 1000, "from %.2f mm", "to %.2f mm",

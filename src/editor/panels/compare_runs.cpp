@@ -39,7 +39,10 @@ bool letter_button(const EditorContext& context, const std::string& name, const 
 
 std::string frames_text(const Recording& recording) {
     const int count = recording.frame_count();
+    const FramePtr last = recording.last_frame();
     std::string text = std::to_string(std::max(0, count - 1)) + (count == 2 ? " frame" : " frames");
+    if (last != nullptr && last->index != count - 1) // written with --every
+        text += " to " + std::to_string(last->index);
     if (recording.state() == RunState::running)
         text += ", running";
     else if (recording.state() == RunState::cancelled)
@@ -238,6 +241,7 @@ void CompareRuns::draw(EditorContext& context) {
         shelf.remove(delete_);
     delete_ = 0;
 
+    ImGui::Dummy({1, context.px(2)});
     const float half = std::floor((width - context.px(6)) / 2);
     const CommandState swap = command_state(context, C::swap_runs);
     ImGui::BeginDisabled(!swap.enabled);

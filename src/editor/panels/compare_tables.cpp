@@ -105,6 +105,7 @@ void draw_distances(EditorContext& context) {
         draw_compare_text(theme.warning, "Frame " + std::to_string(compare.a().frame->index) +
                                              " of A against frame " +
                                              std::to_string(compare.b().frame->index) + " of B");
+    ImGui::Dummy({1, context.px(2)});
     if (ImGui::Button("Difference curves", {ImGui::GetContentRegionAvail().x, 0})) {
         context.state.bottom_panel = "differences";
         context.state.layout.show_bottom = true;

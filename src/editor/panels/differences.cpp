@@ -36,6 +36,16 @@ std::vector<double> gaps(int last_index) {
                                std::numeric_limits<double>::quiet_NaN());
 }
 
+/// Straight lines over frames that only one of the runs has, so that a run written with --every has curves, not dots.
+void bridge(std::vector<double>& curve, const std::vector<FramePair>& frames) {
+    for (std::size_t i = 1; i < frames.size(); ++i) {
+        const int from = frames[i - 1].index, to = frames[i].index;
+        const double low = curve[static_cast<std::size_t>(from)], high = curve[static_cast<std::size_t>(to)];
+        for (int k = from + 1; k < to; ++k)
+            curve[static_cast<std::size_t>(k)] = low + (high - low) * (k - from) / (to - from);
+    }
+}
+
 class Differences : public Panel {
 public:
     void draw(EditorContext& context, const Rect& area) override {
@@ -115,6 +125,8 @@ private:
                         curves[2 * m].at(k) = frame.muscles[m].rms_mm;
                         curves[2 * m + 1].at(k) = frame.muscles[m].max_mm;
                     }
+                for (std::vector<double>& curve : curves)
+                    bridge(curve, compare.frames());
                 continue;
             }
             const int metric = metric_index(row.key);
@@ -124,6 +136,8 @@ private:
                 for (std::size_t m = 0; m < muscles.size(); ++m)
                     curves[m][static_cast<std::size_t>(pair.index)] =
                         metric_difference(*a, *b, pair, muscles[m], metric);
+            for (std::vector<double>& curve : curves)
+                bridge(curve, compare.frames());
         }
     }
 

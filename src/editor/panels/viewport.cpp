@@ -10,6 +10,8 @@
 #include "editor/widgets/tool_button.hpp"
 #include "render/imgui_renderer.hpp"
 
+#include <algorithm>
+
 namespace fascicle::editor {
 
 namespace {
@@ -34,6 +36,9 @@ public:
         const view::ViewSize size{double(part.width()), double(part.height())};
         state.view_aspect = size.aspect();
         state.camera.set_scene_bounds(bounds(context));
+        if (two && !two_before_ && cut_off(context, {double(area.width()), double(area.height())}, size))
+            state.frame_view_pending = true;
+        two_before_ = two;
         if (state.frame_view_pending) {
             state.frame_view_pending = false;
             run_command(context, C::frame_all);
@@ -61,6 +66,20 @@ private:
             bounds_for_ = head;
         }
         return bounds_;
+    }
+
+    /// Whether all that is visible fits into a picture of the one size, and not into the other.
+    static bool cut_off(const EditorContext& context, const view::ViewSize& full,
+                        const view::ViewSize& part) {
+        const view::ViewSubject subject = view_subject(context);
+        const Points points = view::visible_points(subject, view_options(context, *subject.scene));
+        const auto fits = [&](const view::ViewSize& size) {
+            return std::all_of(points.begin(), points.end(), [&](const Vec3& p) {
+                const std::optional<Vec2> at = context.state.camera.project(p, size);
+                return at && at->x() >= 0 && at->x() <= size.width && at->y() >= 0 && at->y() <= size.height;
+            });
+        };
+        return fits(full) && !fits(part);
     }
 
     void handle_pointer(EditorContext& context, const Rect& area, const view::ViewSize& size, bool hovered) {
@@ -180,7 +199,8 @@ private:
     BoundingBox bounds_;
     ScenePtr bounds_for_;
     bool cube_hovered_ = false;
-    bool in_second_ = false; ///< the pointer belongs to the right one of two pictures
+    bool two_before_ = false; ///< two pictures in the frame before
+    bool in_second_ = false;  ///< the pointer belongs to the right one of two pictures
 };
 
 } // namespace
