@@ -111,6 +111,7 @@ void Editor::handle_keys() {
             continue;
         if (row->command == Command::escape && document_.has_uncommitted_edits())
             ImGui::ClearActiveID(); // the drag ends here, whatever the mouse does
+        state_.last_command = static_cast<int>(row->command);
         run(row->command);
     }
 }

@@ -3,6 +3,7 @@
 // the scene.
 
 #include "editor/layout.hpp"
+#include "editor/navigation.hpp"
 #include "editor/widgets/plot.hpp"
 #include "view/camera.hpp"
 #include "view/colouring.hpp"
@@ -36,11 +37,17 @@ enum class Tool { look, paint };
 /// What the ruler and the plots' axes show at a frame.
 enum class RulerUnit { frame, seconds, angle };
 
+/// What happens at the end of the frames that are played.
+enum class Repeat { once, loop, ping_pong };
+
 struct Playback {
     bool playing = false;
-    bool loop = true;
-    double speed = 1;    ///< times real time, > 0
-    double position = 0; ///< fractional frame; the playhead is its whole part
+    Repeat repeat = Repeat::loop;
+    double speed = 1;         ///< times real time, -4 to 4 but not 0; negative: backwards
+    bool every_frame = false; ///< leaves no frame out, however long that takes; otherwise real time
+    bool turned = false;      ///< ping-pong: on the way back
+    double position = 0;      ///< fractional frame; the playhead is its whole part
+    std::optional<std::pair<int, int>> range; ///< first and last frame that are played; none: all
     int playhead() const { return static_cast<int>(position); }
 };
 
@@ -77,7 +84,11 @@ struct EditorState {
     float scale = 1;       ///< of the interface
     float start_scale = 1; ///< what "normal" means
 
+    Navigation navigation = Navigation::fascicle;
+
     bool show_shortcuts = false;
+    bool presenting = false; ///< larger, full screen
+    int last_command = -1;   ///< Command that a key ran last, for tests and the status line; -1: none
 
     // Wishes to whoever owns the window.
     bool wants_quit = false;

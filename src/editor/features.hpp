@@ -4,15 +4,17 @@
 #include "editor/compare.hpp"
 #include "editor/run_shelf.hpp"
 #include "editor/scene_opener.hpp"
+#include "editor/settings.hpp"
 
 namespace fascicle::editor {
 
 struct Features {
+    Settings settings;
     SceneOpener opener;
     RunShelf shelf;
     Compare compare;
 
-    std::vector<Feature*> all() { return {&opener, &shelf, &compare}; }
+    std::vector<Feature*> all() { return {&settings, &opener, &shelf, &compare}; }
 };
 
 } // namespace fascicle::editor

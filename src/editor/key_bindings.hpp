@@ -5,7 +5,9 @@
 #include "editor/keys.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fascicle::editor {
@@ -27,6 +29,14 @@ enum class Command {
     first_frame,
     last_frame,
     toggle_loop,
+    toggle_ping_pong,
+    toggle_every_frame,
+    loop_from_here,
+    loop_to_here,
+    loop_everything,
+    add_marker,
+    previous_marker,
+    next_marker,
     run_again,
     cancel_run,
     frame_selection,
@@ -64,6 +74,8 @@ enum class Command {
     larger_interface,
     smaller_interface,
     normal_interface,
+    search_commands,
+    present,
     show_shortcuts,
     toggle_compare,
     blink_runs,
@@ -99,6 +111,15 @@ const KeyBinding& binding(Command command);
 /// The row that a chord belongs to, or null.
 const KeyBinding* find_binding(const KeyChord& chord, bool painting = false);
 
+/// Name of a row in the user's key file: its label in lower case with dashes, "one-frame-back".
+std::string command_id(const KeyBinding& row);
+/// Gives the row of that id other keys. Empty when done; otherwise why not: no such row, or a chord that another row has.
+std::string set_user_keys(const std::string& id, const std::vector<KeyChord>& chords);
+/// Every row has its own keys again.
+void reset_user_keys();
+
+/// "Ctrl+Shift+Z" as a chord, as to_text() writes it; nothing when it is none.
+std::optional<KeyChord> parse_chord(std::string_view text);
 /// "Ctrl+Shift+Z"; empty for no key.
 std::string to_text(const KeyChord& chord);
 /// First key of the command as text, for menus; empty when it has none.

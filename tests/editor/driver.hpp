@@ -12,7 +12,7 @@ namespace fascicle::test {
 class Driver {
 public:
     explicit Driver(Scene scene = small_scene(), float width = 1280, float height = 800, float scale = 1,
-                    bool still = true);
+                    bool still = true, const std::filesystem::path& user_folder = {});
     ~Driver();
 
     void frame(int count = 1);
@@ -33,6 +33,8 @@ public:
     void drag(ImVec2 from, ImVec2 to, int button = 0);
     void wheel(const std::string& name, float steps);
     void key(int code, editor::Modifiers modifiers = {});
+    /// Holds these keys down from now on, and no others.
+    void hold(editor::Modifiers modifiers);
     void type(const std::string& text);
 
     editor::Editor& editor() { return *editor_; }
@@ -48,6 +50,7 @@ private:
     editor::ItemRecorder recorder_;
     HandRun* run_ = nullptr;
     int runs_started_ = 0;
+    editor::Modifiers held_{};
     std::unique_ptr<editor::Editor> editor_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 // All dialogs of the editor; EditorContext knows only that there are some.
 
+#include "editor/dialogs/command_search.hpp"
 #include "editor/dialogs/mesh_dialog.hpp"
 #include "editor/dialogs/picture_dialog.hpp"
 #include "editor/dialogs/run_dialog.hpp"
@@ -8,11 +9,12 @@
 namespace fascicle::editor {
 
 struct Dialogs {
+    CommandSearch search;
     MeshDialog mesh;
     PictureDialog picture;
     RunDialog run;
 
-    std::vector<Dialog*> all() { return {&mesh, &picture, &run}; }
+    std::vector<Dialog*> all() { return {&search, &mesh, &picture, &run}; }
 };
 
 } // namespace fascicle::editor

@@ -93,6 +93,8 @@ private:
         input.wheel = double(io.MouseWheel != 0 ? io.MouseWheel : io.MouseWheelH);
         input.ctrl = io.KeyCtrl;
         input.shift = io.KeyShift;
+        input.alt = io.KeyAlt;
+        input.navigation = context.state.navigation;
         input.inside = hovered && !cube_hovered_;
         for (int button = 0; button < 3; ++button) {
             if (input.inside && ImGui::IsMouseClicked(button))

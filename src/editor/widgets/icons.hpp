@@ -21,6 +21,7 @@ inline constexpr Icon last{"\xEF\x81\x91", ">|"};        // U+F051
 inline constexpr Icon back{"\xEF\x81\x93", "<"};         // U+F053
 inline constexpr Icon on{"\xEF\x81\x94", ">"};           // U+F054
 inline constexpr Icon loop{"\xEF\x81\xB9", "Loop"};      // U+F079
+inline constexpr Icon ping_pong{"\xEF\x83\xAC", "<->"};  // U+F0EC
 inline constexpr Icon again{"\xEF\x80\xA1", "Run"};      // U+F021
 inline constexpr Icon eye{"\xEF\x81\xAE", "on"};         // U+F06E
 inline constexpr Icon eye_off{"\xEF\x81\xB0", "off"};    // U+F070
