@@ -1,7 +1,9 @@
 #pragma once
 // All features of the editor; EditorContext knows only that there are some.
 
+#include "editor/compare.hpp"
 #include "editor/paint/paint_tool.hpp"
+#include "editor/run_shelf.hpp"
 #include "editor/scene_opener.hpp"
 #include "editor/settings.hpp"
 
@@ -12,8 +14,10 @@ struct Features {
     SceneOpener opener;
     PaintMode paint;
     PaintTool paint_tool{paint};
+    RunShelf shelf;
+    Compare compare;
 
-    std::vector<Feature*> all() { return {&settings, &opener, &paint}; }
+    std::vector<Feature*> all() { return {&settings, &opener, &paint, &shelf, &compare}; }
 };
 
 } // namespace fascicle::editor

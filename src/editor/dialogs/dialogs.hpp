@@ -4,6 +4,7 @@
 #include "editor/dialogs/command_search.hpp"
 #include "editor/dialogs/mesh_dialog.hpp"
 #include "editor/dialogs/picture_dialog.hpp"
+#include "editor/dialogs/run_dialog.hpp"
 
 namespace fascicle::editor {
 
@@ -11,8 +12,9 @@ struct Dialogs {
     CommandSearch search;
     MeshDialog mesh;
     PictureDialog picture;
+    RunDialog run;
 
-    std::vector<Dialog*> all() { return {&search, &mesh, &picture}; }
+    std::vector<Dialog*> all() { return {&search, &mesh, &picture, &run}; }
 };
 
 } // namespace fascicle::editor
