@@ -2,6 +2,7 @@
 // How the scene is looked at: selection, visibility, camera, playhead, colours. Never undone, never saved with
 // the scene.
 
+#include "editor/export_choices.hpp"
 #include "editor/layout.hpp"
 #include "editor/navigation.hpp"
 #include "editor/widgets/plot.hpp"
@@ -57,8 +58,9 @@ struct EditorState {
     std::set<std::string> hidden; ///< names of bones and muscles
     view::Camera camera;
     std::array<std::optional<view::Camera>, 4> camera_slots;
-    bool frame_view_pending = true; ///< fill the view with the scene as soon as its size is known
-    double view_aspect = 1.5;       ///< width over height of the viewport
+    bool frame_view_pending = true;      ///< fill the view with the scene as soon as its size is known
+    double view_aspect = 1.5;            ///< width over height of the viewport
+    int view_width = 1, view_height = 1; ///< its size in pixels
 
     Playback playback;
     RulerUnit ruler = RulerUnit::frame;
@@ -89,6 +91,7 @@ struct EditorState {
     bool show_shortcuts = false;
     bool presenting = false; ///< larger, full screen
     int last_command = -1;   ///< Command that a key ran last, for tests and the status line; -1: none
+    ExportChoices exporting; ///< of the export dialog
 
     // Wishes to whoever owns the window.
     bool wants_quit = false;

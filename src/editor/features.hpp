@@ -2,6 +2,7 @@
 // All features of the editor; EditorContext knows only that there are some.
 
 #include "editor/compare.hpp"
+#include "editor/exporter.hpp"
 #include "editor/paint/paint_tool.hpp"
 #include "editor/run_shelf.hpp"
 #include "editor/scene_opener.hpp"
@@ -16,8 +17,9 @@ struct Features {
     PaintTool paint_tool{paint};
     RunShelf shelf;
     Compare compare;
+    Exporter exporter;
 
-    std::vector<Feature*> all() { return {&settings, &opener, &paint, &shelf, &compare}; }
+    std::vector<Feature*> all() { return {&settings, &opener, &paint, &shelf, &compare, &exporter}; }
 };
 
 } // namespace fascicle::editor

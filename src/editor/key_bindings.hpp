@@ -16,6 +16,8 @@ enum class Command {
     open_file,
     save_picture,
     save_picture_as,
+    export_run,
+    cancel_export,
     quit,
     undo,
     redo,

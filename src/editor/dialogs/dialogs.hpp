@@ -2,6 +2,7 @@
 // All dialogs of the editor; EditorContext knows only that there are some.
 
 #include "editor/dialogs/command_search.hpp"
+#include "editor/dialogs/export_dialog.hpp"
 #include "editor/dialogs/mesh_dialog.hpp"
 #include "editor/dialogs/picture_dialog.hpp"
 #include "editor/dialogs/run_dialog.hpp"
@@ -13,8 +14,9 @@ struct Dialogs {
     MeshDialog mesh;
     PictureDialog picture;
     RunDialog run;
+    ExportDialog exporting;
 
-    std::vector<Dialog*> all() { return {&search, &mesh, &picture, &run}; }
+    std::vector<Dialog*> all() { return {&search, &mesh, &picture, &run, &exporting}; }
 };
 
 } // namespace fascicle::editor

@@ -17,7 +17,7 @@ public:
     void draw(EditorContext& context, const Rect& area) override {
         if (!ImGui::BeginMenuBar())
             return;
-        menu(context, "File", {C::open_file, C::save_picture, C::save_picture_as}, {C::quit});
+        menu(context, "File", {C::open_file, C::save_picture, C::save_picture_as, C::export_run}, {C::quit});
         menu(context, "Edit", {C::undo, C::redo}, {C::paint_mode, C::remove_selected, C::deselect});
         view_menu(context);
         menu(context, "Run", {C::run_again, C::cancel_run},

@@ -35,6 +35,8 @@ public:
         const Rect part = in_second_ ? right : left;
         const view::ViewSize size{double(part.width()), double(part.height())};
         state.view_aspect = size.aspect();
+        state.view_width = std::max(1, static_cast<int>(area.width()));
+        state.view_height = std::max(1, static_cast<int>(area.height()));
         state.camera.set_scene_bounds(bounds(context));
         if (two && !two_before_ && cut_off(context, {double(area.width()), double(area.height())}, size))
             state.frame_view_pending = true;

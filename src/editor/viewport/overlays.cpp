@@ -2,6 +2,7 @@
 
 #include "editor/features.hpp"
 #include "editor/viewport/compare_overlay.hpp"
+#include "editor/viewport/recording_badge.hpp"
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/legend.hpp"
 #include "editor/widgets/paint.hpp"
@@ -127,6 +128,7 @@ const std::vector<OverlayRow>& viewport_overlays() {
         {"state", draw_state},
         {"empty", draw_empty},
         {"compare", draw_compare_overlay},
+        {"recording", draw_recording_badge},
     };
     return rows;
 }
