@@ -11,7 +11,7 @@
 namespace fascicle::editor {
 
 struct Features {
-    Settings settings;
+    SettingsKeeper settings;
     SceneOpener opener;
     PaintMode paint;
     PaintTool paint_tool{paint};
