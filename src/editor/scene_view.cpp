@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 
 namespace fascicle::editor {
 
@@ -14,6 +15,12 @@ constexpr double quick_seconds = 0.012;
 
 double seconds_now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double thread_cpu_seconds() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
 std::size_t count_vertices(const std::vector<std::vector<Attachment>>& lists) {
@@ -119,8 +126,9 @@ unsigned SceneView::texture(const EditorContext& context, const view::ViewSubjec
     if (target == nullptr || target->width() != width || target->height() != height)
         target = std::make_unique<render::OffscreenTarget>(width, height, fine ? 2 : 1);
     const render::DrawList list = build(context, subject, aspect);
-    const double start = seconds_now();
+    const double start = seconds_now(), cpu = thread_cpu_seconds();
     renderer_.draw(list, *target, state.scale * static_cast<float>(target->supersampling()));
+    raster_seconds_ += thread_cpu_seconds() - cpu;
     if (fine && has_picture_) // the first one also compiles and uploads
         fine_seconds_ = std::max(seconds_now() - start, fine_seconds_ * 0.9);
     key_ = key;

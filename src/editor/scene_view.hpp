@@ -31,6 +31,8 @@ public:
     bool best_quality() const { return best_quality_; }
     /// Pictures drawn so far, for tests.
     int drawn() const { return drawn_; }
+    /// CPU seconds of this thread spent in GL so far.
+    double raster_seconds() const { return raster_seconds_; }
 
 private:
     /// All that the picture depends on.
@@ -62,6 +64,7 @@ private:
     double changed_ = 0;      ///< when the picture last changed
     double fine_seconds_ = 0; ///< what a supersampled picture cost lately
     int drawn_ = 0;
+    double raster_seconds_ = 0;
 };
 
 } // namespace fascicle::editor
