@@ -140,7 +140,7 @@ EditorCost measure_editor(const JobControl& control) {
     cost.muscle_triangles = static_cast<int>(scene.muscles[0].mesh->triangle_count());
     if (const std::vector<FibreModelPtr> fibres = recording->fibres();
         !fibres.empty() && fibres[0] != nullptr)
-        cost.fibres = fibres[0]->rest.fibre_count();
+        cost.fibres = fibres[0]->rest.count;
 
     {
         Bench bench(recording);
