@@ -58,8 +58,8 @@ struct EditorState {
     std::set<std::string> hidden; ///< names of bones and muscles
     view::Camera camera;
     std::array<std::optional<view::Camera>, 4> camera_slots;
-    bool frame_view_pending = true; ///< fill the view with the scene as soon as its size is known
-    double view_aspect = 1.5;       ///< width over height of the viewport
+    bool frame_view_pending = true;      ///< fill the view with the scene as soon as its size is known
+    double view_aspect = 1.5;            ///< width over height of the viewport
     int view_width = 1, view_height = 1; ///< its size in pixels
 
     Playback playback;

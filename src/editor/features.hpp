@@ -1,21 +1,25 @@
 #pragma once
 // All features of the editor; EditorContext knows only that there are some.
 
+#include "editor/compare.hpp"
 #include "editor/exporter.hpp"
 #include "editor/paint/paint_tool.hpp"
+#include "editor/run_shelf.hpp"
 #include "editor/scene_opener.hpp"
 #include "editor/settings.hpp"
 
 namespace fascicle::editor {
 
 struct Features {
-    Settings settings;
+    SettingsKeeper settings;
     SceneOpener opener;
     PaintMode paint;
     PaintTool paint_tool{paint};
+    RunShelf shelf;
+    Compare compare;
     Exporter exporter;
 
-    std::vector<Feature*> all() { return {&settings, &opener, &paint, &exporter}; }
+    std::vector<Feature*> all() { return {&settings, &opener, &paint, &shelf, &compare, &exporter}; }
 };
 
 } // namespace fascicle::editor

@@ -102,6 +102,14 @@ enum class Command {
     paint_invert,
     paint_clear,
     paint_camera,
+    toggle_compare,
+    blink_runs,
+    swap_runs,
+    compare_side_by_side,
+    compare_ghost,
+    compare_blink,
+    compare_difference,
+    load_run,
     escape,
 };
 

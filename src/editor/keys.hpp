@@ -24,6 +24,7 @@ enum Key : int {
     key_left_bracket = 91,
     key_right_bracket = 93,
     key_a = 65,
+    key_b = 66,
     key_c = 67,
     key_e = 69,
     key_f = 70,

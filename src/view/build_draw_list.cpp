@@ -13,6 +13,7 @@ namespace {
 constexpr float faded_opacity = 0.16f;
 
 constexpr std::uint64_t ghost_ids = std::uint64_t{3} << 32;
+constexpr std::uint64_t compared_ids = std::uint64_t{0x43} << 32;
 
 render::Mat4f model_matrix(const Pose& pose) {
     render::Mat4f m{};
@@ -38,6 +39,12 @@ const std::vector<Attachment>& attachments_of(const ViewSubject& subject, std::s
                                                : subject.scene->muscles[muscle].attachments;
 }
 
+/// Of another run; null: none.
+PointsPtr compared_points(const ViewSubject& subject, const ViewOptions& options, std::size_t muscle) {
+    return options.compared != Compared::none && muscle < subject.compared.size() ? subject.compared[muscle]
+                                                                                  : nullptr;
+}
+
 /// Colours of the chosen quantity; null: the item's one colour.
 FloatColours muscle_colours(const ViewSubject& subject, const ViewOptions& options, DrawCache& cache,
                             std::size_t i, const render::Rgba& base) {
@@ -48,6 +55,10 @@ FloatColours muscle_colours(const ViewSubject& subject, const ViewOptions& optio
     const auto poses = [&] {
         return subject.frame ? subject.frame->bone_poses : std::vector<Pose>(scene.bones.size());
     };
+    if (const PointsPtr other = compared_points(subject, options, i);
+        other != nullptr && options.compared == Compared::difference)
+        return cache.difference_colours(i, muscle.mesh, points, other, millimetres_per_unit(scene.unit),
+                                        options.difference_scale);
     switch (options.colouring) {
     case Colouring::anatomy:
     case Colouring::fibres:
@@ -164,6 +175,33 @@ void add_bones(render::DrawList& list, const ViewSubject& subject, const ViewOpt
     }
 }
 
+/// Another run's muscle over this one.
+void add_compared(render::DrawList& list, const ViewSubject& subject, const ViewOptions& options,
+                  DrawCache& cache, std::size_t i) {
+    const MeshPtr& mesh = subject.scene->muscles[i].mesh;
+    const PointsPtr other = compared_points(subject, options, i);
+    if (other == nullptr || options.compared == Compared::difference)
+        return;
+    if (options.compared == Compared::wire) {
+        render::LineItem line;
+        line.points = cache.compared_edges(i, mesh, other);
+        line.colour = palette::compared;
+        line.colour[3] = 0.35f; // a fine mesh would cover all
+        line.width_px = 1.0f;
+        list.lines.push_back(std::move(line));
+        return;
+    }
+    const SurfaceArrays arrays = cache.compared_surface(i, mesh, other);
+    render::SurfaceItem item;
+    item.id = compared_ids | i;
+    item.positions = arrays.positions;
+    item.normals = arrays.normals;
+    item.triangles = cache.triangles(i, false, mesh);
+    item.colour = palette::compared;
+    item.gloss = 0.1f;
+    list.surfaces.push_back(std::move(item));
+}
+
 void add_muscle(render::DrawList& list, const ViewSubject& subject, const ViewOptions& options,
                 DrawCache& cache, std::size_t i) {
     const Muscle& muscle = subject.scene->muscles[i];
@@ -182,7 +220,8 @@ void add_muscle(render::DrawList& list, const ViewSubject& subject, const ViewOp
         static_cast<int>(i) == options.selected_muscle ? brighter(palette::muscle) : palette::muscle;
     item.vertex_colours = muscle_colours(subject, options, cache, i, item.colour);
     const FibreModelPtr fibres = i < subject.fibres.size() && options.fibres ? subject.fibres[i] : nullptr;
-    const bool through = options.colouring == Colouring::fibres && fibres != nullptr;
+    const bool through = options.colouring == Colouring::fibres && fibres != nullptr &&
+                         options.compared != Compared::difference;
     const bool faded = options.focus_bone >= 0;
     item.colour[3] = faded     ? std::min(options.muscle_opacity, faded_opacity)
                      : through ? std::min(options.muscle_opacity, 0.25f)
@@ -201,7 +240,8 @@ void add_muscle(render::DrawList& list, const ViewSubject& subject, const ViewOp
         list.lines.push_back(std::move(line));
     }
     // A highlight would hide the colour that is read as a number.
-    item.gloss = options.colouring == Colouring::anatomy ? 0.42f : 0.1f;
+    const bool plain = options.colouring == Colouring::anatomy && options.compared != Compared::difference;
+    item.gloss = plain ? 0.42f : 0.1f;
     item.wireframe = options.wireframe;
     list.surfaces.push_back(std::move(item));
 
@@ -215,6 +255,7 @@ void add_muscle(render::DrawList& list, const ViewSubject& subject, const ViewOp
             list.lines.push_back(std::move(line));
         }
     }
+    add_compared(list, subject, options, cache, i);
     if (options.rest_ghost && subject.frame && subject.rest && points != rest) {
         const SurfaceArrays ghost = cache.ghost_surface(i, muscle.mesh, rest);
         render::SurfaceItem faint;

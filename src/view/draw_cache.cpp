@@ -3,6 +3,7 @@
 #include "fascicle/anatomy/fibre_shape.hpp"
 #include "fascicle/base/assert.hpp"
 #include "fascicle/geometry/vertex_normals.hpp"
+#include "fascicle/metrics/run_difference.hpp"
 #include "view/colouring.hpp"
 #include "view/vertex_extension.hpp"
 
@@ -118,6 +119,51 @@ SurfaceArrays DrawCache::ghost_surface(std::size_t muscle, const MeshPtr& mesh, 
         entry.ghost_points = rest;
     }
     return entry.ghost;
+}
+
+SurfaceArrays DrawCache::compared_surface(std::size_t muscle, const MeshPtr& mesh,
+                                          const PointsPtr& compared) {
+    Object& entry = object(muscles_, muscle, mesh);
+    if (entry.compared_points != compared) {
+        entry.compared = make_surface(*compared, *mesh);
+        entry.compared_points = compared;
+    }
+    return entry.compared;
+}
+
+FloatPoints DrawCache::compared_edges(std::size_t muscle, const MeshPtr& mesh, const PointsPtr& compared) {
+    Object& entry = object(muscles_, muscle, mesh);
+    if (entry.edges_points == compared)
+        return entry.compared_edges;
+    auto ends = std::make_shared<std::vector<render::Vec3f>>();
+    const std::vector<Edge>& edges = topology(entry).edges();
+    ends->reserve(2 * edges.size());
+    for (const Edge& edge : edges)
+        for (const int v : {edge.a, edge.b})
+            ends->push_back(narrow((*compared)[static_cast<std::size_t>(v)]));
+    entry.compared_edges = ends;
+    entry.edges_points = compared;
+    ++computed_;
+    return ends;
+}
+
+FloatColours DrawCache::difference_colours(std::size_t muscle, const MeshPtr& mesh, const PointsPtr& points,
+                                           const PointsPtr& compared, double millimetres_per_unit,
+                                           const ColourScale& scale) {
+    Object& entry = object(muscles_, muscle, mesh);
+    if (entry.difference_colours && entry.difference_points == points &&
+        entry.difference_compared == compared && entry.difference_scale == scale)
+        return entry.difference_colours;
+    auto colours = std::make_shared<std::vector<render::Rgba>>();
+    colours->reserve(points->size());
+    for (const double mm : vertex_distances_mm(*points, *compared, millimetres_per_unit))
+        colours->push_back(scale.colour(mm));
+    entry.difference_colours = colours;
+    entry.difference_points = points;
+    entry.difference_compared = compared;
+    entry.difference_scale = scale;
+    ++computed_;
+    return colours;
 }
 
 BoundingBox DrawCache::rest_bounds(const Scene& scene) {

@@ -45,6 +45,13 @@ public:
     /// Signed distance to the nearest bone, mm, through the scale. poses: one per bone of the scene.
     FloatColours depth_colours(const Scene& scene, std::size_t muscle, const PointsPtr& points,
                                const std::vector<Pose>& poses, const ColourScale& scale);
+    /// Of another run's muscle: its surface, its edges (two points each), and the distance of each vertex from `points` to its place
+    /// there, mm, through the scale.
+    SurfaceArrays compared_surface(std::size_t muscle, const MeshPtr& mesh, const PointsPtr& compared);
+    FloatPoints compared_edges(std::size_t muscle, const MeshPtr& mesh, const PointsPtr& compared);
+    FloatColours difference_colours(std::size_t muscle, const MeshPtr& mesh, const PointsPtr& points,
+                                    const PointsPtr& compared, double millimetres_per_unit,
+                                    const ColourScale& scale);
     /// The colour of each vertex's ContactState.
     FloatColours contact_colours(const Scene& scene, std::size_t muscle, const PointsPtr& points,
                                  const std::vector<Pose>& poses, const std::vector<Attachment>& attachments);
@@ -99,6 +106,12 @@ private:
         PointsPtr fibres_rest, fibres_points;
         std::optional<ColourScale> fibres_scale;
         BorderLines fibre_lines;
+        // of another run
+        PointsPtr compared_points, edges_points, difference_points, difference_compared;
+        SurfaceArrays compared;
+        FloatPoints compared_edges;
+        FloatColours difference_colours;
+        ColourScale difference_scale;
     };
     Object& object(std::vector<Object>& list, std::size_t index, const MeshPtr& mesh);
     const MeshTopology& topology(Object& object);

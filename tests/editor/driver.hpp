@@ -39,7 +39,9 @@ public:
     void type(const std::string& text);
 
     /// Of a row of the key table, now.
-    editor::CommandState command_state(editor::Command command) { return editor::command_state(editor_->context(), command); }
+    editor::CommandState command_state(editor::Command command) {
+        return editor::command_state(editor_->context(), command);
+    }
     editor::Editor& editor() { return *editor_; }
     editor::EditorState& state() { return editor_->state(); }
     Document& document() { return editor_->document(); }

@@ -37,6 +37,8 @@ const std::vector<Command>& commands() {
          "  fascicle lines --osim hip.osim --motion flexion.mot --bone pelvis=pelvis.obj --bone "
          "femur_r=femur.vtk --out out/bones",
          add_lines},
+        {"compare", "Tell how far two runs are apart, frame by frame",
+         "  fascicle compare out/soft out/stiff --out out/difference", add_compare},
         {"bench", "Measure how fast everything is on this machine",
          "  fascicle bench\n"
          "  fascicle bench --case gluteus_maximus --part frames --json gluteus.json",

@@ -13,6 +13,7 @@ std::vector<KeyBinding> view_commands();
 std::vector<KeyBinding> show_commands();
 std::vector<KeyBinding> paint_commands();
 std::vector<KeyBinding> window_commands();
+std::vector<KeyBinding> compare_commands();
 
 namespace keys {
 constexpr Modifiers ctrl{.ctrl = true};

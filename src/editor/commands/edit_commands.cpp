@@ -20,7 +20,7 @@ void remove_selected(EditorContext& context) {
     context.state.selection = {};
 }
 
-/// Esc: the change under way first, then what is open, then the tool, then the run, then the selection.
+/// Esc: the change under way first, then what is open, then jobs, then the tool, then the selection.
 void escape(EditorContext& context) {
     EditorState& state = context.state;
     ViewportTool* tool = active_tool(context);
@@ -32,10 +32,10 @@ void escape(EditorContext& context) {
         state.show_shortcuts = false;
     else if (context.features.exporter.running())
         context.features.exporter.cancel();
-    else if (tool != nullptr)
-        context.features.paint.leave(context);
     else if (context.runs.running())
         run_command(context, C::cancel_run);
+    else if (tool != nullptr)
+        context.features.paint.leave(context);
     else
         state.selection = {};
 }

@@ -5,6 +5,7 @@
 #include "editor/dialogs/export_dialog.hpp"
 #include "editor/dialogs/mesh_dialog.hpp"
 #include "editor/dialogs/picture_dialog.hpp"
+#include "editor/dialogs/run_dialog.hpp"
 
 namespace fascicle::editor {
 
@@ -12,9 +13,10 @@ struct Dialogs {
     CommandSearch search;
     MeshDialog mesh;
     PictureDialog picture;
+    RunDialog run;
     ExportDialog exporting;
 
-    std::vector<Dialog*> all() { return {&search, &mesh, &picture, &exporting}; }
+    std::vector<Dialog*> all() { return {&search, &mesh, &picture, &run, &exporting}; }
 };
 
 } // namespace fascicle::editor

@@ -23,6 +23,10 @@ public:
         menu(context, "Run", {C::run_again, C::cancel_run},
              {C::play_pause, C::step_back, C::step_on, C::first_frame, C::last_frame, C::toggle_loop,
               C::toggle_ping_pong, C::toggle_every_frame, C::add_marker, C::previous_marker, C::next_marker});
+        menu(context, "Compare",
+             {C::toggle_compare, C::compare_side_by_side, C::compare_ghost, C::compare_blink,
+              C::compare_difference},
+             {C::blink_runs, C::swap_runs, C::load_run});
         window_menu(context);
         draw_title(context, area);
         ImGui::EndMenuBar();

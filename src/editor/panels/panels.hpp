@@ -17,5 +17,7 @@ std::unique_ptr<Panel> make_plots();
 std::unique_ptr<Panel> make_messages();
 std::unique_ptr<Panel> make_history();
 std::unique_ptr<Panel> make_status_bar();
+std::unique_ptr<Panel> make_compare();
+std::unique_ptr<Panel> make_differences();
 
 } // namespace fascicle::editor

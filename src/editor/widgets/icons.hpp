@@ -41,6 +41,9 @@ inline constexpr Icon folder{"\xEF\x81\xBB", ""};        // U+F07B
 inline constexpr Icon up{"\xEF\x81\xA2", "^"};           // U+F062
 inline constexpr Icon trash{"\xEF\x80\x94", "Remove"};   // U+F014
 inline constexpr Icon link{"\xEF\x83\x81", "fixed"};     // U+F0C1
+inline constexpr Icon pin{"\xEF\x82\x8D", "pin"};        // U+F08D
+inline constexpr Icon sliders{"\xEF\x87\x9E", "use"};    // U+F1DE
+inline constexpr Icon exchange{"\xEF\x83\xAC", "swap"};  // U+F0EC
 inline constexpr Icon check{"\xEF\x80\x8C", "ok"};       // U+F00C
 
 inline constexpr Icon brush{"\xEF\x87\xBC", "Brush"};        // U+F1FC
