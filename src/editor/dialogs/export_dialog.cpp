@@ -59,7 +59,8 @@ bool number(const EditorContext& context, const char* name, int& value, int low,
 
 // Folders alone are chosen here; what is in them shows what may be replaced.
 ExportDialog::ExportDialog()
-    : browser_({".png", ".gif", ".mp4", ".vtp", ".obj", ".csv", ".html", ".json", ".pvd"}) {}
+    : browser_({".png", ".gif", ".mp4", ".vtp", ".obj", ".csv", ".html", ".json", ".pvd"},
+               "No exports here") {}
 
 void ExportDialog::open(EditorContext& context) {
     ExportChoices& choices = context.state.exporting;
