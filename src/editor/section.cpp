@@ -1,5 +1,7 @@
 #include "editor/section.hpp"
 
+#include "editor/commands.hpp"
+
 #include <algorithm>
 
 namespace fascicle::editor {
@@ -27,6 +29,15 @@ void orient(Section& section, SectionAxis axis, const view::Camera& camera, cons
                                                      : frame.superior;
     section.position = section.normal.dot(through);
     section.flipped = section.normal.dot(camera.backward()) < 0;
+}
+
+Vec3 section_place(const EditorContext& context) {
+    BoundingBox box = object_bounds(context, context.state.selection);
+    if (box.empty())
+        for (const Muscle& muscle : context.shown_scene().muscles)
+            if (context.state.visible(muscle.name))
+                box.add(object_bounds(context, {Selection::Kind::muscle, muscle.name}));
+    return box.empty() ? context.state.camera.pivot() : Vec3(0.5 * (box.min + box.max));
 }
 
 std::pair<double, double> section_range(const Section& section, const BoundingBox& box) {

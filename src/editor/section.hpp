@@ -9,6 +9,8 @@
 
 namespace fascicle::editor {
 
+struct EditorContext;
+
 /// What the plane looks along: where the camera looked when it was chosen, or an anatomical axis.
 enum class SectionAxis { view, sagittal, coronal, axial };
 const char* to_text(SectionAxis axis); ///< "View", ...
@@ -23,6 +25,8 @@ struct Section {
 
 /// Orients the plane along the axis, through `through`, and takes the side away that faces the camera.
 void orient(Section& section, SectionAxis axis, const view::Camera& camera, const Vec3& through);
+/// Where a new cut goes: through the middle of the selection, else of the visible muscles, else through the camera's pivot.
+Vec3 section_place(const EditorContext& context);
 /// Positions at which the plane meets the box; (0, 0) for an empty one.
 std::pair<double, double> section_range(const Section& section, const BoundingBox& box);
 /// Moves it by a share of its range and keeps it there; positive: towards the side that is taken away.

@@ -27,7 +27,7 @@ uniform float radius;
 out vec4 result;
 
 const int samples = 12;
-const float strength = 0.55;
+const float strength = 1.3;
 
 float view_z(ivec2 pixel) {
     float ndc = 2.0 * texelFetch(depth, pixel * supersampling, 0).r - 1.0;

@@ -64,10 +64,7 @@ std::string surface_geometry_glsl() {
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
 uniform vec2 viewport;
-in gl_PerVertex {
-    vec4 gl_Position;
-    float gl_ClipDistance[1];
-} gl_in[];
+uniform vec4 section;
 out float gl_ClipDistance[1];
 in Surface {
     vec3 position;
@@ -99,7 +96,7 @@ void main() {
         if (visible)
             edge_distance[i] = heights[i];
         gl_Position = gl_in[i].gl_Position;
-        gl_ClipDistance[0] = gl_in[i].gl_ClipDistance[0];
+        gl_ClipDistance[0] = dot(section, vec4(from_vertex[i].position, 1.0));
         EmitVertex();
     }
     EndPrimitive();

@@ -1,4 +1,5 @@
 #include "editor/driver.hpp"
+#include "editor/features.hpp"
 #include "fascicle/anatomy/fibre_problem.hpp"
 #include "fascicle/io/png.hpp"
 #include "render/osmesa_context.hpp"
@@ -12,6 +13,8 @@ using namespace fascicle::editor;
 using fascicle::test::Driver;
 
 namespace {
+
+constexpr int t_key = fascicle::editor::key_t; // <sys/types.h> has a key_t, too
 
 /// Two fibres straight through the muscle of small_scene(), along x, 8 mm above each other.
 FibreModelPtr two_fibres(const Scene& scene) {
@@ -138,14 +141,14 @@ TEST_CASE("Opacities follow their sliders, and T makes muscles transparent and o
         d.drag(at(slider, 0.5f), {slider.max.x + 40, at(slider, 0).y});
         CHECK(value == 1.0f);
     }
-    d.key(key_t);
+    d.key(t_key);
     CHECK(d.state().muscle_opacity == Approx(0.35));
     const Rect slider = d.rect("display/muscle_opacity");
     d.drag(at(slider, 0.4f), at(slider, 0.6f));
     const float chosen = d.state().muscle_opacity;
     d.click("toolbar/see_through");
     CHECK(d.state().muscle_opacity == 1.0f);
-    d.key(key_t);
+    d.key(t_key);
     CHECK(d.state().muscle_opacity == chosen); // what was chosen last comes back
     d.click("display/muscle_opacity/reset");
     CHECK(d.state().muscle_opacity == 1.0f);
@@ -163,8 +166,9 @@ TEST_CASE("The section plane is switched, turned, moved and flipped", "[editor][
     d.key(key_s);
     REQUIRE(section.on);
     CHECK((section.normal - d.state().camera.backward()).norm() < 1e-12);
-    CHECK(section_plane(section)->keeps(d.state().camera.pivot() - 5 * d.state().camera.backward()));
-    CHECK_FALSE(section_plane(section)->keeps(d.state().camera.pivot() + 5 * d.state().camera.backward()));
+    const Vec3 middle(40, 10, 20); // of the muscle
+    CHECK(section_plane(section)->keeps(middle - d.state().camera.backward()));
+    CHECK_FALSE(section_plane(section)->keeps(middle + d.state().camera.backward()));
 
     const std::pair<const char*, Vec3> axes[] = {{"Sagittal", {1, 0, 0}},
                                                  {"Coronal", {0, -1, 0}}, // LPS: +y posterior
@@ -246,7 +250,7 @@ TEST_CASE("The fibre under the pointer lights up and is told to the plots", "[ed
     const Vec3 upper(40, 10, 24), lower(40, 10, 16);
     d.move_to(place_of(d, upper));
     CHECK_FALSE(d.state().hover_fibre); // inside an opaque muscle nothing is to be seen
-    d.key(key_t);
+    d.key(t_key);
     d.frame(2);
     REQUIRE(d.state().hover_fibre);
     CHECK(*d.state().hover_fibre == FibreRef{"muscle", 1});
@@ -274,7 +278,7 @@ TEST_CASE("The fibre under the pointer lights up and is told to the plots", "[ed
     CHECK_FALSE(d.state().hover_fibre);
     d.state().hidden.clear();
     // With the colouring of fibres the muscle is translucent by itself
-    d.key(key_t);
+    d.key(t_key);
     d.state().colouring = view::Colouring::fibres;
     d.frame(2);
     CHECK(d.state().hover_fibre == FibreRef{"muscle", 0});

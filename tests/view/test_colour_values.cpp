@@ -167,10 +167,10 @@ TEST_CASE("Stiffness k is that of the edges the solver is given", "[view][colour
             for (const char* fibres : {"none", "streamlines"}) {
                 INFO(method << " " << anisotropy << " " << fibres);
                 Scene made = ball_scene();
-                made.parameters.set_choice("solver.method", method);
+                made.parameters.set_text("solver.method", method);
                 made.parameters.set("solver.stiffness", 0.8);
                 made.parameters.set("solver.anisotropy", anisotropy);
-                made.parameters.set_choice("fibres.method", fibres);
+                made.parameters.set_text("fibres.method", fibres);
                 const auto scene = std::make_shared<const Scene>(std::move(made));
                 const PreparedScene prepared = prepare_scene(*scene, 1, {});
                 const PreparedMuscle& muscle = prepared.muscles[0];

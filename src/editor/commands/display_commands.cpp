@@ -21,7 +21,7 @@ void toggle_section(EditorContext& context) {
     EditorState& state = context.state;
     state.section.on = !state.section.on;
     if (state.section.on)
-        orient(state.section, state.section.axis, state.camera, state.camera.pivot());
+        orient(state.section, state.section.axis, state.camera, section_place(context));
 }
 
 void show_display(EditorContext& context) {
@@ -69,7 +69,8 @@ std::vector<KeyBinding> display_commands() {
         {C::toggle_section,
          show,
          "Section plane",
-         "Cuts everything open through the pivot. Ctrl+wheel in the view moves the cut.",
+         "Cuts everything open through the middle of the selection or of the muscles; Ctrl+wheel moves the "
+         "cut.",
          {{{key_s}}},
          false,
          [](const EditorContext& c) { return checked(c.state.section.on); },

@@ -163,7 +163,7 @@ private:
             if (chosen)
                 ImGui::PushStyleColor(ImGuiCol_Button, context.theme.accent_dim);
             if (ImGui::Button(to_text(axis), {piece, 0}))
-                orient(section, axis, state.camera, state.camera.pivot());
+                orient(section, axis, state.camera, section_place(context));
             if (chosen)
                 ImGui::PopStyleColor();
             record_item(std::string("display/section/") + to_text(axis));

@@ -111,6 +111,8 @@ void FibreHover::point_at(EditorContext& context, const Vec2& pointer, const vie
         return;
     use_lens(context, size);
     double best = std::pow(reach_px * double(context.scale()), 2);
+    std::size_t nearest_muscle = 0;
+    int nearest_fibre = -1;
     const std::vector<Muscle>& muscles = shown.recording->scene().muscles;
     for (std::size_t m = 0; m < muscles.size(); ++m) {
         if (!state.visible(muscles[m].name))
@@ -125,14 +127,21 @@ void FibreHover::point_at(EditorContext& context, const Vec2& pointer, const vie
             const double distance = squared_distance(pointer, entry->places[i], entry->places[i + 1]);
             if (distance < best) {
                 best = distance;
-                context.state.next_hover_fibre = FibreRef{muscles[m].name, static_cast<int>(i / n)};
+                nearest_muscle = m;
+                nearest_fibre = static_cast<int>(i / n);
             }
         }
     }
+    if (nearest_fibre < 0)
+        return;
+    points_at_ = FibreRef{muscles[nearest_muscle].name, nearest_fibre};
+    context.state.next_hover_fibre = points_at_;
 }
 
 void FibreHover::draw(EditorContext& context, ImDrawList& list, const Rect& area) {
     const std::optional<Vec2> pointer = std::exchange(pointer_, std::nullopt);
+    // What is shown as hovered was pointed at in the frame before.
+    const std::optional<FibreRef> pointed = std::exchange(pointed_, std::exchange(points_at_, std::nullopt));
     const std::optional<FibreRef>& hovered = context.state.hover_fibre;
     if (!hovered || !context.state.visible(hovered->muscle))
         return;
@@ -167,7 +176,7 @@ void FibreHover::draw(EditorContext& context, ImDrawList& list, const Rect& area
     }
     stroke();
     record_item("viewport/fibre", box);
-    if (pointer) {
+    if (pointer && pointed == hovered) {
         const double length = length_of({entry->points.data() + first, n}),
                      rest = length_of(entry->model->rest.fibre(hovered->fibre)),
                      mm = millimetres_per_unit(context.shown_scene().unit);

@@ -48,8 +48,10 @@ private:
     std::vector<Lines> lines_; ///< by muscle
     Lens lens_;
     std::uint64_t lens_number_ = 0;
-    std::vector<ImVec2> strip_; ///< of draw()
-    std::optional<Vec2> pointer_;
+    std::vector<ImVec2> strip_;       ///< of draw()
+    std::optional<Vec2> pointer_;     ///< of this frame
+    std::optional<FibreRef> pointed_; ///< what the pointer was at in the frame before
+    std::optional<FibreRef> points_at_;
     int carried_ = 0, projected_ = 0;
 };
 

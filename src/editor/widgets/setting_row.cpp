@@ -10,7 +10,9 @@
 namespace fascicle::editor {
 
 RowColumns row_columns(const EditorContext& context) {
-    const float width = ImGui::GetContentRegionAvail().x, reset = ImGui::GetFrameHeight();
+    // Of the whole row, wherever in it the cursor is.
+    const float width = ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x,
+                reset = ImGui::GetFrameHeight();
     const float label = std::min(context.px(142), width * 0.42f);
     return {label, std::max(20.0f, width - label - reset - context.px(2)), reset};
 }
@@ -84,16 +86,19 @@ bool slider_control(const EditorContext& context, const std::string& name, doubl
         const float x = place(value), track = context.px(3), mark = place(standard);
         list.AddRectFilled(frame.min, frame.max,
                            with_alpha(hovered ? theme.field_hovered : theme.field, alpha), rounding);
-        list.PushClipRect({frame.min.x, frame.max.y - track}, {x, frame.max.y}, true);
-        list.AddRectFilled(frame.min, frame.max, with_alpha(theme.accent, (hovered ? 1.0f : 0.75f) * alpha),
-                           rounding);
-        list.PopClipRect();
-        list.AddRectFilled({mark - context.px(1), frame.max.y - track},
-                           {mark + context.px(1), frame.max.y + context.px(2)},
-                           with_alpha(theme.text_dim, alpha));
-        const float half = context.px(2.5f);
-        list.AddRectFilled({x - half, frame.max.y - context.px(7)}, {x + half, frame.max.y + context.px(1)},
-                           with_alpha(hovered ? theme.text : theme.accent, alpha), context.px(2));
+        if (const bool live = (ImGui::GetItemFlags() & ImGuiItemFlags_Disabled) == 0; live) {
+            list.PushClipRect({frame.min.x, frame.max.y - track}, {x, frame.max.y}, true);
+            list.AddRectFilled(frame.min, frame.max,
+                               with_alpha(theme.accent, (hovered ? 1.0f : 0.75f) * alpha), rounding);
+            list.PopClipRect();
+            list.AddRectFilled({mark - context.px(1), frame.max.y - track},
+                               {mark + context.px(1), frame.max.y + context.px(2)},
+                               with_alpha(theme.text_dim, alpha));
+            const float half = context.px(2.5f);
+            list.AddRectFilled({x - half, frame.max.y - context.px(7)},
+                               {x + half, frame.max.y + context.px(1)},
+                               with_alpha(hovered ? theme.text : theme.accent, alpha), context.px(2));
+        }
         draw_text_in(list, {frame.min, {frame.max.x, frame.max.y - track}}, with_alpha(theme.text, alpha),
                      text, Align::centre);
         if (!ImGui::IsItemActive())
