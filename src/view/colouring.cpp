@@ -27,7 +27,7 @@ constexpr std::array<ColouringRow, colouring_count> colouring_table{{
      "Dihedral change [\xC2\xB0]",
      "How much the angles between the triangles around each vertex have changed since rest, on average.",
      "\xC2\xB0",
-     {M::viridis, 0, 45},
+     {M::viridis, 0, 20},
      0,
      180},
     {Colouring::depth,

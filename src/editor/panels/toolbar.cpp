@@ -73,7 +73,8 @@ private:
         std::string tip = "Colours of muscles (" + shortcut(C::next_colouring) + ")";
         for (const view::ColouringRow& row : view::colourings())
             tip.append("\n").append(row.label).append(": ").append(row.help);
-        if (ImGui::BeginCombo("##colouring", view::colouring_row(context.state.colouring).label)) {
+        if (ImGui::BeginCombo("##colouring", view::colouring_row(context.state.colouring).label,
+                              ImGuiComboFlags_HeightLarge)) {
             for (const view::ColouringRow& row : view::colourings()) {
                 if (ImGui::Selectable(row.label, row.colouring == context.state.colouring))
                     context.state.colouring = row.colouring;
