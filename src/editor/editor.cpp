@@ -90,6 +90,8 @@ std::optional<double> Editor::next_redraw() const {
     for (const Feature* feature : features_->all())
         if (const std::optional<double> wish = feature->redraw_after())
             no_later_than(*wish);
+    if (view_ != nullptr && view_->waiting())
+        no_later_than(1.0 / 25);
     if (view_ != nullptr && view_->refinement_pending())
         no_later_than(SceneView::refine_after_seconds / 2);
     return next;
@@ -133,6 +135,7 @@ void Editor::replace_document(Document document) {
     state_.tool = Tool::look;
     state_.playback = {};
     state_.camera_slots = {};
+    state_.section = {};
     state_.frame_view_pending = true;
     look_at_muscles(state_.camera, document_.scene());
     EditorContext c = context();

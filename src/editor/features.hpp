@@ -7,6 +7,7 @@
 #include "editor/run_shelf.hpp"
 #include "editor/scene_opener.hpp"
 #include "editor/settings.hpp"
+#include "editor/viewport/fibre_hover.hpp"
 
 namespace fascicle::editor {
 
@@ -18,8 +19,11 @@ struct Features {
     RunShelf shelf;
     Compare compare;
     Exporter exporter;
+    FibreHover fibre_hover;
 
-    std::vector<Feature*> all() { return {&settings, &opener, &paint, &shelf, &compare, &exporter}; }
+    std::vector<Feature*> all() {
+        return {&settings, &opener, &paint, &shelf, &compare, &exporter, &fibre_hover};
+    }
 };
 
 } // namespace fascicle::editor

@@ -72,7 +72,10 @@ private:
         items(context, {C::hide_selected, C::hide_others, C::show_all});
         ImGui::Separator();
         items(context, {C::toggle_attachments, C::toggle_wireframe, C::toggle_rest_ghost,
-                        C::toggle_joint_axis, C::next_colouring});
+                        C::toggle_joint_axis, C::toggle_fibres, C::toggle_line_muscles, C::next_colouring});
+        ImGui::Separator();
+        items(context, {C::toggle_see_through, C::toggle_occlusion, C::toggle_section, C::flip_section,
+                        C::show_display});
         ImGui::EndMenu();
     }
 

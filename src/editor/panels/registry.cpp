@@ -12,6 +12,7 @@ const std::vector<PanelRow>& panel_registry() {
         {"parameters", "Parameters", Place::parameters, true, true, make_parameters},
         {"paint", "Paint", Place::parameters, true, true, make_paint_panel},
         {"compare", "Compare", Place::parameters, true, true, make_compare},
+        {"display", "Display", Place::parameters, true, true, make_display},
         {"timeline", nullptr, Place::timeline, true, false, make_timeline},
         {"plots", "Plots", Place::bottom, false, true, make_plots},
         {"differences", "Differences", Place::bottom, false, true, make_differences},

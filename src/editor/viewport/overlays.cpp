@@ -1,6 +1,7 @@
 #include "editor/viewport_tool.hpp"
 
 #include "editor/features.hpp"
+#include "editor/scene_view.hpp"
 #include "editor/viewport/compare_overlay.hpp"
 #include "editor/viewport/recording_badge.hpp"
 #include "editor/widgets/item_recorder.hpp"
@@ -52,28 +53,22 @@ void draw_legends(EditorContext& context, ImDrawList& list, const Rect& area) {
         return; // the difference map has a legend of its own
     const ImVec2 corner{area.max.x - context.px(12), area.min.y + context.px(12)};
     std::vector<LegendEntry> entries;
-    switch (context.state.colouring) {
-    case view::Colouring::strain:
-    case view::Colouring::fibres:
-    case view::Colouring::depth: {
-        const view::ViewOptions options;
-        const view::Colouring colouring = context.state.colouring;
-        const view::ColourScale& scale = colouring == view::Colouring::strain   ? options.strain_scale
-                                         : colouring == view::Colouring::fibres ? options.stretch_scale
-                                                                                : options.depth_scale;
-        const Rect plate = draw_colour_bar(list, corner, view::colouring_row(colouring).legend, scale,
+    const view::Colouring colouring = context.state.colouring;
+    if (const view::ColouringRow& row = view::colouring_row(colouring); row.has_scale()) {
+        const Rect plate = draw_colour_bar(list, corner, row.legend, context.state.colour_scales[colouring],
                                            context.theme, context.scale());
         record_item("viewport/legend", plate);
+        if (context.view != nullptr && context.view->waiting())
+            record_item("viewport/legend/waiting",
+                        draw_badge(list, {plate.max.x, plate.max.y + context.px(6)}, Align::right,
+                                   "Computing", context.theme.text_dim, context.theme.badge));
         return;
     }
-    case view::Colouring::contact:
+    if (colouring == view::Colouring::contact)
         for (const view::ContactRow& row : view::contact_rows())
             entries.push_back({row.label, packed(row.colour)});
-        break;
-    case view::Colouring::anatomy:
-        if (context.state.attachments)
-            entries = attachment_entries(context);
-    }
+    else if (context.state.attachments)
+        entries = attachment_entries(context);
     if (!entries.empty())
         record_item("viewport/legend", draw_swatches(list, corner, entries, context.theme, context.scale()));
 }
@@ -120,15 +115,16 @@ void draw_empty(EditorContext& context, ImDrawList& list, const Rect& area) {
                  "Drop a mesh of a bone or a muscle here, or press " + shortcut(C::open_file), Align::centre);
 }
 
+void draw_hovered_fibre(EditorContext& context, ImDrawList& list, const Rect& area) {
+    context.features.fibre_hover.draw(context, list, area);
+}
+
 } // namespace
 
 const std::vector<OverlayRow>& viewport_overlays() {
     static const std::vector<OverlayRow> rows{
-        {"legend", draw_legends},
-        {"state", draw_state},
-        {"empty", draw_empty},
-        {"compare", draw_compare_overlay},
-        {"recording", draw_recording_badge},
+        {"fibre", draw_hovered_fibre}, {"legend", draw_legends},          {"state", draw_state},
+        {"empty", draw_empty},         {"compare", draw_compare_overlay}, {"recording", draw_recording_badge},
     };
     return rows;
 }
