@@ -76,6 +76,7 @@ void SceneRenderer::draw(const DrawList& list, int width, int height, float pixe
                          const OffscreenTarget* target) {
     ++draws_;
     uploads_ = 0;
+    colours_sent_ = 0;
     const glm::mat4 projection = matrix(list.camera.projection);
     // The last row of a perspective matrix is (0, 0, -1, 0), of an orthographic one (0, 0, 0, 1).
     const glm::mat4 view = matrix(list.camera.view);
@@ -175,6 +176,7 @@ SceneRenderer::Entry& SceneRenderer::entry_of(const SurfaceItem& item) {
         entry.buffer = std::make_unique<MeshBuffer>();
     entry.last_drawn = draws_;
     uploads_ += entry.buffer->update(item);
+    colours_sent_ += entry.buffer->colours_sent();
     if (entry.positions != item.positions) {
         glm::vec3 low(0.0f), high(0.0f);
         bool first = true;
@@ -256,7 +258,7 @@ void SceneRenderer::draw_surface(const SurfaceItem& item, const Pass& pass) {
     shader.set_mat4("projection", glm::value_ptr(pass.projection));
     shader.set_mat3("normal_matrix", glm::value_ptr(normal_matrix));
     shader.set("gloss", std::clamp(item.gloss, 0.0f, 1.0f));
-    shader.set("opacity", item.vertex_colours ? item.colour[3] : 1.0f);
+    shader.set("opacity", item.vertex_colours || item.live_colours ? item.colour[3] : 1.0f);
     shader.set("has_normals", item.normals ? 1 : 0);
     shader.set("orthographic", pass.orthographic ? 1 : 0);
     shader.set("section", vector(pass.section));
