@@ -2,9 +2,13 @@
 
 #include "render/gl_functions.hpp"
 
+#include <algorithm>
+
 namespace fascicle::render {
 
 namespace {
+
+constexpr int most_pixels = 600000; ///< of a picture whose every pixel gets its own occlusion
 
 const char* const vertex_glsl = R"(
 void main() {
@@ -152,7 +156,10 @@ void OcclusionPass::make_buffers(int width, int height) {
 }
 
 void OcclusionPass::apply(const OffscreenTarget& target, const Mat4f& projection, float radius) {
-    const int width = target.width(), height = target.height(), supersampling = target.supersampling();
+    // Half the resolution in large pictures: shade is smooth, and the cost is then that of a small one.
+    const int step = target.width() * target.height() > most_pixels ? 2 : 1;
+    const int width = std::max(1, target.width() / step), height = std::max(1, target.height() / step);
+    const int supersampling = target.supersampling() * step;
     make_buffers(width, height);
     gl::Disable(GL_DEPTH_TEST);
     gl::Disable(GL_BLEND);

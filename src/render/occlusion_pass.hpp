@@ -6,7 +6,7 @@
 
 namespace fascicle::render {
 
-/// At the resolution of the finished picture, whatever the supersampling: depth to occlusion (after M. McGuire, B. Osman, M.
+/// At the resolution of the finished picture, whatever the supersampling, or at half of it where that is large: depth to occlusion (after M. McGuire, B. Osman, M.
 /// Bukowski, P. Hennessy, "The Alchemy screen-space ambient obscurance algorithm", HPG 2011), a blur that keeps to one surface,
 /// then a multiplication of the colours.
 class OcclusionPass {

@@ -332,8 +332,10 @@ TEST_CASE("The display panel draws an empty, a loading, a full and a failed scen
     struct Size {
         float width, height, scale;
     };
-    for (const Size size : {Size{1280, 800, 1}, Size{320, 240, 1}, Size{2560, 1600, 2}, Size{900, 500, 1.5f}})
+    for (const Size size : {Size{1280, 800, 1}, Size{320, 240, 1}, Size{2560, 1600, 2}})
         for (const bool empty : {true, false}) {
+            if (empty && size.scale > 1)
+                continue;
             Driver d(empty ? Scene{} : test::small_scene(), size.width, size.height, size.scale);
             d.state().side_panel = "display";
             d.frame(3);

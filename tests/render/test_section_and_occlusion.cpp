@@ -162,8 +162,8 @@ TEST_CASE("Occlusion darkens where surfaces are near and nothing else", "[render
             list.occlusion_radius = 0.4f;
             const Image shaded = draw(renderer, list, 200, 200, supersampling);
             const auto change = [&](int x, int y) { return pixel(plain, x, y)[0] - pixel(shaded, x, y)[0]; };
-            CHECK(change(152, 100) > 12); // on the plate, at the ball
-            CHECK(change(100, 152) > 12);
+            CHECK(change(152, 100) > 5); // on the plate, at the ball
+            CHECK(change(100, 152) > 5);
             CHECK(std::abs(change(185, 185)) <= 3); // on the plate, far from it
             CHECK(std::abs(change(100, 100)) <= 3); // on the ball, towards the eye
             CHECK(change(2, 2) == 0);               // the background
