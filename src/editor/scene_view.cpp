@@ -1,5 +1,7 @@
 #include "editor/scene_view.hpp"
 
+#include "editor/features.hpp"
+
 #include <algorithm>
 #include <chrono>
 
@@ -25,6 +27,8 @@ std::size_t count_vertices(const std::vector<std::vector<Attachment>>& lists) {
 } // namespace
 
 view::ViewSubject view_subject(const EditorContext& context) {
+    if (const view::ViewSubject* preview = context.features.motion.preview())
+        return *preview;
     const ShownFrame shown = context.shown();
     if (shown.frame != nullptr)
         return view::subject_of(*shown.recording, shown.frame->index);

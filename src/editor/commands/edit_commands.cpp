@@ -1,4 +1,5 @@
 #include "editor/commands/command_groups.hpp"
+#include "editor/features.hpp"
 #include "fascicle/document/actions/scene_actions.hpp"
 
 namespace fascicle::editor {
@@ -25,6 +26,10 @@ void escape(EditorContext& context) {
         context.document.discard_edits();
     else if (state.show_shortcuts)
         state.show_shortcuts = false;
+    else if (state.tool == Tool::pick_point)
+        state.tool = Tool::look;
+    else if (context.features.loader.reading())
+        context.features.loader.cancel();
     else if (context.runs.running())
         run_command(context, C::cancel_run);
     else

@@ -1,6 +1,7 @@
 #pragma once
 // All dialogs of the editor; EditorContext knows only that there are some.
 
+#include "editor/dialogs/load_dialog.hpp"
 #include "editor/dialogs/mesh_dialog.hpp"
 #include "editor/dialogs/picture_dialog.hpp"
 
@@ -8,9 +9,10 @@ namespace fascicle::editor {
 
 struct Dialogs {
     MeshDialog mesh;
+    LoadDialog load;
     PictureDialog picture;
 
-    std::vector<Dialog*> all() { return {&mesh, &picture}; }
+    std::vector<Dialog*> all() { return {&mesh, &load, &picture}; }
 };
 
 } // namespace fascicle::editor

@@ -18,6 +18,10 @@ public:
         if (!ImGui::BeginMenuBar())
             return;
         menu(context, "File", {C::open_file, C::save_picture, C::save_picture_as}, {C::quit});
+        menu(context, "Scene",
+             {C::open_file, C::load_attachments, C::load_surface_fibres, C::load_fibre_template,
+              C::load_lines},
+             {C::show_motion});
         menu(context, "Edit", {C::undo, C::redo}, {C::remove_selected, C::deselect});
         view_menu(context);
         menu(context, "Run", {C::run_again, C::cancel_run},

@@ -10,6 +10,7 @@ const std::vector<PanelRow>& panel_registry() {
         {"selection", "Selection", Place::inspector, true, true, make_inspector},
         {"viewport", nullptr, Place::viewport, false, false, make_viewport},
         {"parameters", "Parameters", Place::parameters, true, true, make_parameters},
+        {"motion", "Motion", Place::parameters, true, true, make_motion},
         {"timeline", nullptr, Place::timeline, true, false, make_timeline},
         {"plots", "Plots", Place::bottom, false, true, make_plots},
         {"messages", "Messages", Place::bottom, true, true, make_messages},

@@ -1,5 +1,6 @@
 #include "editor/viewport_tool.hpp"
 
+#include "editor/features.hpp"
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/legend.hpp"
 #include "editor/widgets/paint.hpp"
@@ -98,6 +99,17 @@ void draw_state(EditorContext& context, ImDrawList& list, const Rect& area) {
                     draw_badge(list, at, Align::centre, elided(text, context.px(520)), colour, theme.badge));
 }
 
+/// A file that is being read, with its way out.
+void draw_loading(EditorContext& context, ImDrawList& list, const Rect& area) {
+    const FileLoader& loader = context.features.loader;
+    if (!loader.reading())
+        return;
+    record_item("viewport/loading",
+                draw_badge(list, {area.min.x + area.width() / 2, area.max.y - context.px(40)}, Align::centre,
+                           elided("Reading " + loader.what(), context.px(420)) + "; Esc cancels",
+                           context.theme.text, context.theme.badge));
+}
+
 void draw_empty(EditorContext& context, ImDrawList& list, const Rect& area) {
     const Scene& scene = context.document.scene();
     if (!scene.bones.empty() || !scene.muscles.empty())
@@ -114,9 +126,8 @@ void draw_empty(EditorContext& context, ImDrawList& list, const Rect& area) {
 
 const std::vector<OverlayRow>& viewport_overlays() {
     static const std::vector<OverlayRow> rows{
-        {"legend", draw_legends},
-        {"state", draw_state},
-        {"empty", draw_empty},
+        {"legend", draw_legends},  {"state", draw_state}, {"motion", draw_motion_overlay},
+        {"loading", draw_loading}, {"empty", draw_empty},
     };
     return rows;
 }

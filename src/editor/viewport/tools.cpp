@@ -1,3 +1,4 @@
+#include "editor/features.hpp"
 #include "editor/viewport_tool.hpp"
 
 namespace fascicle::editor {
@@ -7,6 +8,8 @@ ViewportTool* active_tool(EditorContext& context) {
     case Tool::look:
     case Tool::paint:
         return nullptr;
+    case Tool::pick_point:
+        return &context.features.motion;
     }
     return nullptr;
 }
