@@ -52,7 +52,7 @@ void MotionEdit::edit_key(EditorContext& context, int bone, std::size_t index, c
         edited_ = context.document.version();
 }
 
-void MotionEdit::commit(EditorContext& context, const char* name) {
+void MotionEdit::commit(EditorContext& context, const std::string& name) {
     if (context.document.has_uncommitted_edits())
         actions::commit_motion(context.document, name);
 }
@@ -145,6 +145,11 @@ void MotionEdit::show_table(EditorContext& context, std::shared_ptr<const Storag
         if (changes && column < 0)
             column = c;
     }
+    // A column of flexion counts forward, the hinge perhaps not.
+    const Vec3 flexion = anatomical_axes(context.state.camera.axes()).front().axis;
+    const bool names_flexion =
+        column >= 0 && table->columns[static_cast<std::size_t>(column)].find("flexion") != std::string::npos;
+    reversed = names_flexion && hinge_ && hinge_->hinge.axis.normalized().dot(flexion) < -0.8;
     for (const std::string& note : table->notes)
         context.log.add(Severity::note, note);
     way = MotionWay::file;
@@ -305,7 +310,7 @@ void MotionEdit::take_point(EditorContext& context, const Vec3& point) {
                 tracks[static_cast<std::size_t>(bone)].keys[static_cast<std::size_t>(key)].pose, point);
             screw.centre = point;
             edit_key(context, bone, static_cast<std::size_t>(key), screw);
-            commit(context, "Set key");
+            commit(context, "Set key, " + key_bone);
         }
         return pick(context, PickFor::nothing);
     }

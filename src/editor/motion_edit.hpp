@@ -47,7 +47,7 @@ public:
     /// While a control is held; commit() ends it. Errors go to the log.
     void edit(EditorContext& context, const actions::HingeMotion& motion);
     void edit_key(EditorContext& context, int bone, std::size_t index, const actions::Screw& screw);
-    void commit(EditorContext& context, const char* name);
+    void commit(EditorContext& context, const std::string& name);
     /// Both at once.
     void set(EditorContext& context, const actions::HingeMotion& motion, const char* name);
 

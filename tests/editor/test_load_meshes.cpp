@@ -198,7 +198,7 @@ TEST_CASE("The mesh dialog draws its states at every size, and its picture only 
     const test::TempDir folder;
     const fs::path file = write(folder.path() / "open_bone.obj", open_sphere());
     for (const auto& [width, height, scale] :
-         {std::tuple{1280.0f, 800.0f, 1.0f}, {2560.0f, 1600.0f, 2.0f}, {320.0f, 240.0f, 1.0f}}) {
+         {std::tuple{1280.0f, 800.0f, 1.0f}, {1800.0f, 1200.0f, 1.5f}, {320.0f, 240.0f, 1.0f}}) {
         Driver d(test::small_scene(), width, height, scale);
         d.editor().use_gl();
         d.frame(2);

@@ -250,7 +250,7 @@ std::vector<actions::NewMesh> MeshBatch::meshes() const {
         const bool as_in_file = entry.placed == entry.read->surface.mesh;
         list.push_back({entry.path, entry.name, entry.role,
                         entry.moving && entry.role == actions::MeshRole::bone, entry.placed,
-                        as_in_file ? entry.read->file.hash : std::string()});
+                        as_in_file ? entry.read->file.hash : std::string(), entry.surface().report});
     }
     return list;
 }

@@ -145,6 +145,7 @@ void MeshDialog::draw_size(EditorContext& context, const MeshEntry& entry) {
     if (entry.surface().report.closed())
         wrapped(context.theme.text_dim,
                 print("%.4g cm\xC2\xB3 enclosed", entry.surface().volume * std::pow(mm / 10, 3)));
+    const float width = std::min(context.px(74), (ImGui::GetContentRegionAvail().x - 2 * context.px(6)) / 3);
     for (const double factor : {0.001, 1.0, 1000.0}) {
         if (factor != 0.001)
             ImGui::SameLine(0, context.px(6));
@@ -152,7 +153,7 @@ void MeshDialog::draw_size(EditorContext& context, const MeshEntry& entry) {
         if (on)
             ImGui::PushStyleColor(ImGuiCol_Button, context.theme.accent_dim);
         const std::string label = "x " + number_text(factor);
-        if (ImGui::Button(label.c_str(), {context.px(74), 0})) {
+        if (ImGui::Button(label.c_str(), {width, 0})) {
             batch_.change(selected_, [&](MeshEntry& e) {
                 e.scale = factor;
                 e.scale_guessed = false;

@@ -124,6 +124,7 @@ void MeshDialog::draw_columns(EditorContext& context, ImVec2 room) {
         draw_list(context, {left, ImGui::GetContentRegionAvail().y});
     }
     ImGui::EndChild();
+    selected_ = std::min(selected_, static_cast<int>(batch_.entries().size()) - 1); // one may have gone
     ImGui::SameLine(0, gap);
     if (wide) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -169,7 +170,7 @@ void MeshDialog::draw_row(EditorContext& context, int index, float width) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float x = at.x + context.px(10), right = at.x + width - close - context.px(4);
     std::string what = "waiting";
-    ImU32 colour = theme.text_faint;
+    ImU32 colour = index == selected_ ? theme.text_dim : theme.text_faint;
     if (!entry.problem.empty()) {
         what = "cannot be read";
         colour = theme.bad;

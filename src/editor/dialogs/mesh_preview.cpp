@@ -120,19 +120,24 @@ unsigned MeshPreview::texture(const EditorContext& context, const MeshBatch& bat
         frame_pending_ = false;
     }
     camera_.set_scene_bounds(bounds_);
-    Key key{batch.revision(), scene_for_, selected, width, height, context.theme.dark, camera_.pose(aspect)};
-    const bool same =
-        key_ && key_->revision == key.revision && key_->head == key.head && key_->selected == key.selected &&
-        key_->width == key.width && key_->height == key.height && key_->dark == key.dark &&
-        key_->camera.view == key.camera.view && key_->camera.projection == key.camera.projection;
+    const int samples = pointer_.dragging() ? 1 : 2; // quick while it turns
+    const Key key{batch.revision(), scene_for_, selected,           width,
+                  height,           samples,    context.theme.dark, camera_.pose(aspect)};
+    const bool same = key_ && key_->revision == key.revision && key_->head == key.head &&
+                      key_->selected == key.selected && key_->width == key.width &&
+                      key_->height == key.height && key_->dark == key.dark && key_->samples == key.samples &&
+                      key_->camera.view == key.camera.view &&
+                      key_->camera.projection == key.camera.projection;
     if (gpu_ == nullptr)
         gpu_ = std::make_unique<Gpu>();
     if (same)
         return gpu_->target->texture();
-    if (gpu_->target == nullptr || gpu_->target->width() != width || gpu_->target->height() != height)
-        gpu_->target = std::make_unique<render::OffscreenTarget>(width, height, 2);
-    gpu_->renderer.draw(build(context, batch, selected, aspect), *gpu_->target, context.scale() * 2);
-    key_ = std::move(key);
+    if (gpu_->target == nullptr || gpu_->target->width() != width || gpu_->target->height() != height ||
+        gpu_->target->supersampling() != samples)
+        gpu_->target = std::make_unique<render::OffscreenTarget>(width, height, samples);
+    gpu_->renderer.draw(build(context, batch, selected, aspect), *gpu_->target,
+                        context.scale() * static_cast<float>(samples));
+    key_ = key;
     ++drawn_;
     return gpu_->target->texture();
 }

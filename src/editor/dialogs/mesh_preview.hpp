@@ -41,7 +41,7 @@ private:
     struct Key {
         std::uint64_t revision = 0;
         ScenePtr head;
-        int selected = -1, width = 0, height = 0;
+        int selected = -1, width = 0, height = 0, samples = 0;
         bool dark = false;
         render::CameraPose camera;
     };

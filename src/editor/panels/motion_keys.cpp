@@ -119,7 +119,7 @@ void draw_table(EditorContext& context, int bone) {
                 else
                     ImGui::Text("%.2f\xC2\xB0", screw.angle_rad / degree);
                 ImGui::TableNextColumn();
-                if (i > 0)
+                if (i > 0 && screw.angle_rad > 1e-9)
                     ImGui::TextDisabled("%.2f  %.2f  %.2f", screw.axis.x(), screw.axis.y(), screw.axis.z());
             }
         ImGui::EndTable();
@@ -202,7 +202,7 @@ void draw_key(EditorContext& context, int bone) {
         edit.edit_key(context, bone, index, screw);
     }
     if (all.ended)
-        edit.commit(context, "Set key");
+        edit.commit(context, "Set key, " + edit.key_bone);
     const bool picking = edit.picking() == PickFor::key_point;
     if (button(context, "motion/pick_key", picking ? "Click on a bone..." : "Pick the point in the view",
                true, "The next click on a bone is a point of the axis (Esc ends).", picking))

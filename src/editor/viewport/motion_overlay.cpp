@@ -70,7 +70,7 @@ void draw_motion_overlay(EditorContext& context, ImDrawList& list, const Rect& a
     const MotionEdit& motion = context.features.motion;
     if (motion.preview() != nullptr)
         record_item("viewport/motion_preview",
-                    draw_badge(list, {area.min.x + area.width() / 2, area.min.y + context.px(42)},
+                    draw_badge(list, {area.min.x + area.width() / 2, area.min.y + context.px(12)},
                                Align::centre, "Preview: muscles at rest", context.theme.text,
                                context.theme.badge));
     if (!motion_panel_shown(context) || motion.way == MotionWay::keys || !motion.hinge())
@@ -78,7 +78,7 @@ void draw_motion_overlay(EditorContext& context, ImDrawList& list, const Rect& a
     list.PushClipRect(area.min, area.max, true);
     const Hinge& hinge = motion.hinge()->hinge;
     const Projector to(context, area);
-    const ImU32 colour = context.theme.dark ? context.theme.accent : context.theme.accent;
+    const ImU32 colour = context.theme.accent;
     const double reach =
         motion.ball() ? 2.2 * motion.ball()->sphere.radius : 0.12 * context.state.camera.distance();
     const Vec3 axis = hinge.axis.normalized();

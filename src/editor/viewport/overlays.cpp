@@ -73,6 +73,8 @@ void draw_legends(EditorContext& context, ImDrawList& list, const Rect& area) {
 
 /// A sentence when what is seen is not the computed frame at the playhead.
 void draw_state(EditorContext& context, ImDrawList& list, const Rect& area) {
+    if (context.features.motion.preview() != nullptr)
+        return; // what is seen is no frame of a run
     const ImVec2 at{area.min.x + area.width() / 2, area.min.y + context.px(12)};
     const Theme& theme = context.theme;
     const ShownFrame shown = context.shown();
