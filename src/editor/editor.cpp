@@ -45,7 +45,7 @@ void Editor::show(RecordingPtr recording) {
 }
 
 void Editor::drop_files(const std::vector<std::filesystem::path>& files) {
-    dialogs_->mesh.open_with(files);
+    features_->loader.drop(files);
 }
 
 EditorContext Editor::context() {

@@ -34,7 +34,7 @@ struct FibreRef {
 };
 
 /// What the pointer does in the viewport.
-enum class Tool { look, paint };
+enum class Tool { look, paint, pick_point };
 
 /// What the ruler and the plots' axes show at a frame.
 enum class RulerUnit { frame, seconds, angle };

@@ -3,6 +3,8 @@
 
 #include "editor/compare.hpp"
 #include "editor/exporter.hpp"
+#include "editor/file_loader.hpp"
+#include "editor/motion_edit.hpp"
 #include "editor/paint/paint_tool.hpp"
 #include "editor/run_shelf.hpp"
 #include "editor/scene_opener.hpp"
@@ -20,9 +22,11 @@ struct Features {
     Compare compare;
     Exporter exporter;
     FibreHover fibre_hover;
+    FileLoader loader;
+    MotionEdit motion;
 
     std::vector<Feature*> all() {
-        return {&settings, &opener, &paint, &shelf, &compare, &exporter, &fibre_hover};
+        return {&settings, &opener, &paint, &shelf, &compare, &exporter, &fibre_hover, &loader, &motion};
     }
 };
 

@@ -14,6 +14,11 @@ namespace fascicle::editor {
 
 enum class Command {
     open_file,
+    load_lines,
+    load_attachments,
+    load_surface_fibres,
+    load_fibre_template,
+    show_motion,
     save_picture,
     save_picture_as,
     export_run,

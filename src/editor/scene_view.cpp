@@ -36,6 +36,8 @@ std::size_t count_vertices(const std::vector<std::vector<Attachment>>& lists) {
 view::ViewSubject view_subject(const EditorContext& context) {
     if (context.features.compare.active())
         return context.features.compare.subject();
+    if (const view::ViewSubject* preview = context.features.motion.preview())
+        return *preview;
     const ShownFrame shown = context.shown();
     view::ViewSubject subject = shown.frame != nullptr
                                     ? view::subject_of(*shown.recording, shown.frame->index)

@@ -7,6 +7,7 @@ namespace fascicle::editor {
 
 std::vector<KeyBinding> file_commands();
 std::vector<KeyBinding> export_commands();
+std::vector<KeyBinding> load_commands();
 std::vector<KeyBinding> edit_commands();
 std::vector<KeyBinding> timeline_commands();
 std::vector<KeyBinding> view_commands();

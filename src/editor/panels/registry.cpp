@@ -13,6 +13,7 @@ const std::vector<PanelRow>& panel_registry() {
         {"paint", "Paint", Place::parameters, true, true, make_paint_panel, icons::brush},
         {"compare", "Compare", Place::parameters, true, true, make_compare, icons::exchange},
         {"display", "Display", Place::parameters, true, true, make_display, icons::eye},
+        {"motion", "Motion", Place::parameters, true, true, make_motion, icons::play},
         {"timeline", nullptr, Place::timeline, true, false, make_timeline},
         {"plots", "Plots", Place::bottom, false, true, make_plots},
         {"differences", "Differences", Place::bottom, false, true, make_differences},

@@ -77,6 +77,8 @@ void draw_legends(EditorContext& context, ImDrawList& list, const Rect& area) {
 void draw_state(EditorContext& context, ImDrawList& list, const Rect& area) {
     if (context.features.compare.active())
         return; // labels of their own
+    if (context.features.motion.preview() != nullptr)
+        return; // what is seen is no frame of a run
     const ImVec2 at{area.min.x + area.width() / 2, area.min.y + context.px(12)};
     const Theme& theme = context.theme;
     const ShownFrame shown = context.shown();
@@ -103,6 +105,17 @@ void draw_state(EditorContext& context, ImDrawList& list, const Rect& area) {
                     draw_badge(list, at, Align::centre, elided(text, context.px(520)), colour, theme.badge));
 }
 
+/// A file that is being read, with its way out.
+void draw_loading(EditorContext& context, ImDrawList& list, const Rect& area) {
+    const FileLoader& loader = context.features.loader;
+    if (!loader.reading())
+        return;
+    record_item("viewport/loading",
+                draw_badge(list, {area.min.x + area.width() / 2, area.max.y - context.px(40)}, Align::centre,
+                           elided("Reading " + loader.what(), context.px(420)) + "; Esc cancels",
+                           context.theme.text, context.theme.badge));
+}
+
 void draw_empty(EditorContext& context, ImDrawList& list, const Rect& area) {
     const Scene& scene = context.document.scene();
     if (!scene.bones.empty() || !scene.muscles.empty())
@@ -123,8 +136,17 @@ void draw_hovered_fibre(EditorContext& context, ImDrawList& list, const Rect& ar
 
 const std::vector<OverlayRow>& viewport_overlays() {
     static const std::vector<OverlayRow> rows{
-        {"fibre", draw_hovered_fibre}, {"legend", draw_legends},          {"state", draw_state},
-        {"empty", draw_empty},         {"compare", draw_compare_overlay}, {"recording", draw_recording_badge},
+        {"fibre", draw_hovered_fibre},
+        {"legend", draw_legends},
+        {"state", draw_state},
+        {"empty", draw_empty},
+        {"compare", draw_compare_overlay},
+        {"recording", draw_recording_badge},
+        {"legend", draw_legends},
+        {"state", draw_state},
+        {"motion", draw_motion_overlay},
+        {"loading", draw_loading},
+        {"empty", draw_empty},
     };
     return rows;
 }
