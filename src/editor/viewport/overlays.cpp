@@ -139,14 +139,11 @@ const std::vector<OverlayRow>& viewport_overlays() {
         {"fibre", draw_hovered_fibre},
         {"legend", draw_legends},
         {"state", draw_state},
-        {"empty", draw_empty},
-        {"compare", draw_compare_overlay},
-        {"recording", draw_recording_badge},
-        {"legend", draw_legends},
-        {"state", draw_state},
         {"motion", draw_motion_overlay},
         {"loading", draw_loading},
         {"empty", draw_empty},
+        {"compare", draw_compare_overlay},
+        {"recording", draw_recording_badge},
     };
     return rows;
 }
