@@ -36,16 +36,7 @@ public:
         follow(context, ruler);
         marker_popup(context);
         menu(context);
-        const RulerResult ruler =
-            draw_ruler(context, {{area.min.x + pad + inset, area.min.y + context.px(40)},
-                                 {area.max.x - pad - inset, area.max.y - context.px(9)}});
-        if (ruler.moved_to) {
-            context.state.playback.playing = false;
-            context.move_playhead(*ruler.moved_to);
-        }
         empty_hint(context, area);
-        if (ruler.hovered)
-            context.state.next_hover_frame = ruler.hovered;
     }
 
 private:
