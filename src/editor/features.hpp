@@ -1,18 +1,31 @@
 #pragma once
 // All features of the editor; EditorContext knows only that there are some.
 
+#include "editor/compare.hpp"
+#include "editor/exporter.hpp"
 #include "editor/file_loader.hpp"
 #include "editor/motion_edit.hpp"
+#include "editor/paint/paint_tool.hpp"
+#include "editor/run_shelf.hpp"
 #include "editor/scene_opener.hpp"
+#include "editor/settings.hpp"
 
 namespace fascicle::editor {
 
 struct Features {
+    SettingsKeeper settings;
     SceneOpener opener;
     FileLoader loader;
     MotionEdit motion;
+    PaintMode paint;
+    PaintTool paint_tool{paint};
+    RunShelf shelf;
+    Compare compare;
+    Exporter exporter;
 
-    std::vector<Feature*> all() { return {&opener, &loader, &motion}; }
+    std::vector<Feature*> all() {
+        return {&settings, &opener, &loader, &motion, &paint, &shelf, &compare, &exporter};
+    }
 };
 
 } // namespace fascicle::editor

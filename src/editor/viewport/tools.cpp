@@ -6,10 +6,11 @@ namespace fascicle::editor {
 ViewportTool* active_tool(EditorContext& context) {
     switch (context.state.tool) {
     case Tool::look:
-    case Tool::paint:
         return nullptr;
     case Tool::pick_point:
         return &context.features.motion;
+    case Tool::paint:
+        return &context.features.paint_tool;
     }
     return nullptr;
 }
