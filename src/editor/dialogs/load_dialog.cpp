@@ -75,7 +75,7 @@ const LoadRow& row_of(FileKind kind) {
 void LoadDialog::open(FileKind kind) {
     kind_ = kind;
     appears_ = true;
-    browser_.emplace(row_of(kind).extensions);
+    browser_.emplace(row_of(kind).extensions, "No such files here");
     if (!folder_.empty())
         browser_->go_to(folder_);
 }
