@@ -5,6 +5,7 @@
 #include "editor/export_choices.hpp"
 #include "editor/layout.hpp"
 #include "editor/navigation.hpp"
+#include "editor/section.hpp"
 #include "editor/widgets/plot.hpp"
 #include "view/camera.hpp"
 #include "view/colouring.hpp"
@@ -33,7 +34,7 @@ struct FibreRef {
 };
 
 /// What the pointer does in the viewport.
-enum class Tool { look, paint };
+enum class Tool { look, paint, pick_point };
 
 /// What the ruler and the plots' axes show at a frame.
 enum class RulerUnit { frame, seconds, angle };
@@ -78,6 +79,15 @@ struct EditorState {
     bool attachments = true;
     bool rest_ghost = false; ///< muscles at rest, faint
     bool joint_axis = true;
+    view::ColourScales colour_scales;  ///< ends of the legends
+    float muscle_opacity = 1;          ///< 0 to 1
+    float see_through_opacity = 0.35f; ///< that the muscles go to when they are made transparent
+    float bone_opacity = 1;            ///< 0 to 1
+    bool fibres = true;                ///< where muscles let them be seen
+    bool line_muscles = true;          ///< of the scene's model
+    bool occlusion = true;             ///< surfaces darken each other where they are near
+    Section section;
+    BoundingBox scene_box; ///< whatever may come into view, set by the viewport
 
     LayoutSizes layout;
     std::string bottom_panel = "plots";    ///< id of the panel in front below

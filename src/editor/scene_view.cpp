@@ -36,6 +36,8 @@ std::size_t count_vertices(const std::vector<std::vector<Attachment>>& lists) {
 view::ViewSubject view_subject(const EditorContext& context) {
     if (context.features.compare.active())
         return context.features.compare.subject();
+    if (const view::ViewSubject* preview = context.features.motion.preview())
+        return *preview;
     const ShownFrame shown = context.shown();
     view::ViewSubject subject = shown.frame != nullptr
                                     ? view::subject_of(*shown.recording, shown.frame->index)
@@ -63,6 +65,13 @@ view::ViewOptions view_options(const EditorContext& context, const Scene& scene)
     options.wireframe = state.wireframe;
     options.rest_ghost = state.rest_ghost;
     options.joint_axis = state.joint_axis;
+    options.scales = state.colour_scales;
+    options.muscle_opacity = state.muscle_opacity;
+    options.bone_opacity = state.bone_opacity;
+    options.fibres = state.fibres;
+    options.line_muscles = state.line_muscles;
+    options.occlusion = state.occlusion;
+    options.section = section_plane(state.section);
     if (state.selection.kind == Selection::Kind::bone)
         options.selected_bone = scene.bone_index(state.selection.name);
     if (state.selection.kind == Selection::Kind::muscle)
@@ -71,7 +80,9 @@ view::ViewOptions view_options(const EditorContext& context, const Scene& scene)
     return options;
 }
 
-SceneView::SceneView(bool best_quality) : best_quality_(best_quality) {}
+SceneView::SceneView(bool best_quality) : best_quality_(best_quality) {
+    cache_.rest_fields().set_background(!best_quality);
+}
 
 bool SceneView::same(const Key& a, const Key& b) {
     return a.scene == b.scene && a.frame == b.frame && a.attachment_count == b.attachment_count &&
@@ -113,7 +124,8 @@ unsigned SceneView::texture(const EditorContext& context, const view::ViewSubjec
                   width,
                   height,
                   state.scale};
-    const bool unchanged = has_picture_ && same(key, key_);
+    const bool arrived = cache_.rest_fields().collect();
+    const bool unchanged = has_picture_ && !arrived && same(key, key_);
     if (!unchanged)
         changed_ = context.now;
     const bool refine = refinement_pending_ && context.now - changed_ >= refine_after_seconds;
@@ -125,7 +137,9 @@ unsigned SceneView::texture(const EditorContext& context, const view::ViewSubjec
     auto& target = fine ? fine_ : plain_;
     if (target == nullptr || target->width() != width || target->height() != height)
         target = std::make_unique<render::OffscreenTarget>(width, height, fine ? 2 : 1);
-    const render::DrawList list = build(context, subject, aspect);
+    render::DrawList list = build(context, subject, aspect);
+    if (!fine) // shade from the neighbourhood is for the refined picture
+        list.occlusion_radius = 0;
     const double start = seconds_now(), cpu = thread_cpu_seconds();
     renderer_.draw(list, *target, state.scale * static_cast<float>(target->supersampling()));
     raster_seconds_ += thread_cpu_seconds() - cpu;
@@ -143,7 +157,9 @@ render::Image SceneView::image_of(const EditorContext& context, const view::View
                                   int height) {
     const render::OffscreenTarget target(width, height, 2);
     const float scale = context.state.scale * 2;
+    cache_.rest_fields().set_background(false); // a picture in a file waits for its colours
     renderer_.draw(build(context, subject, double(width) / double(height)), target, scale);
+    cache_.rest_fields().set_background(!best_quality_);
     return target.read_back();
 }
 

@@ -26,6 +26,8 @@ public:
     static constexpr double refine_after_seconds = 0.25;
     /// Whether the last picture should be drawn again, better, now that nothing moves.
     bool refinement_pending() const { return refinement_pending_; }
+    /// Whether colours are still being made beside the interface.
+    bool waiting() const { return cache_.rest_fields().waiting(); }
     /// A picture of its own, not of the screen's size.
     render::Image picture(const EditorContext& context, int width, int height);
     bool best_quality() const { return best_quality_; }

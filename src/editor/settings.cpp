@@ -46,7 +46,7 @@ const Value* find(const fascicle::Settings& settings, const char* key) {
     return it == settings.end() ? nullptr : std::get_if<Value>(&it->second);
 }
 
-void apply(const fascicle::Settings& settings, EditorState& state) {
+void take_over(const fascicle::Settings& settings, EditorState& state) {
     if (const auto* theme = find<std::string>(settings, "theme"))
         state.dark = *theme != "light";
     if (const auto* scale = find<double>(settings, "scale"))
@@ -103,7 +103,7 @@ void SettingsKeeper::load(EditorContext& context) {
     std::error_code code;
     try {
         if (fs::exists(file_, code))
-            apply(read_settings(file_), context.state);
+            take_over(read_settings(file_), context.state);
     } catch (const std::exception& problem) {
         context.log.add(Severity::warning, problem.what());
     }

@@ -73,6 +73,7 @@ Pictures::Pictures(const Recording& recording, const PictureOptions& options)
     : recording_(recording), options_(options) {
     FASCICLE_ASSERT(recording.frame_count() > 0);
     view_.colouring = options.colouring;
+    view_.occlusion = true;
     const int flexed = most_flexed_frame(recording);
     for (const int k : {0, flexed, recording.frame_count() - 1})
         box_.add(view::visible_bounds(view::subject_of(recording, k), view_));
@@ -108,7 +109,7 @@ void Pictures::choose_side(int flexed) {
 /// Pixels of a small square picture in which a muscle is seen: muscles are drawn red, bones blue.
 int Pictures::muscle_pixels(int frame, const view::Camera& camera, int size) {
     view::ViewOptions plain = view_;
-    plain.attachments = plain.joint_axis = false;
+    plain.attachments = plain.joint_axis = plain.occlusion = false;
     plain.colouring = view::Colouring::anatomy;
     render::DrawList list =
         view::build_draw_list(view::subject_of(recording_, frame), plain, camera.pose(1.0), cache_);

@@ -45,6 +45,9 @@ struct SurfaceItem {
     Mat4f model{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     float gloss = 0.2f;     ///< 0 chalk, 1 wet
     bool wireframe = false; ///< edges over the surface
+    /// Flat colour of what a section plane cuts open (DrawList::section); alpha 0: left open, for what is no solid. The cut is as
+    /// opaque as the surface.
+    Rgba cap{0, 0, 0, 0};
 };
 
 /// Separate line segments: points 2k and 2k+1 make a segment.
@@ -71,6 +74,10 @@ struct DrawList {
     /// Alpha below 1 leaves the picture's background transparent.
     Rgba background_top{0.93f, 0.94f, 0.96f, 1};
     Rgba background_bottom{0.78f, 0.81f, 0.85f, 1};
+    /// (n, d) in scene coordinates: only what has n . p + d >= 0 is drawn, of surfaces and lines. n is not zero.
+    std::optional<std::array<float, 4>> section;
+    /// Reach of ambient occlusion, scene units: opaque surfaces are darker where others are nearer than this. 0: off.
+    float occlusion_radius = 0.0f;
 };
 
 /// An 8-bit sRGB picture, rows from the top, 4 bytes a pixel (RGBA).

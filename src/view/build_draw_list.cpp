@@ -12,6 +12,9 @@ namespace {
 /// Of what is not being painted: it lets the bone through and still tells where things are.
 constexpr float faded_opacity = 0.16f;
 
+/// How far other surfaces take light away, as a share of the scene's diagonal.
+constexpr double occlusion_reach = 0.06;
+
 constexpr std::uint64_t ghost_ids = std::uint64_t{3} << 32;
 constexpr std::uint64_t compared_ids = std::uint64_t{0x43} << 32;
 
@@ -45,6 +48,10 @@ PointsPtr compared_points(const ViewSubject& subject, const ViewOptions& options
                                                                                   : nullptr;
 }
 
+FibreModelPtr fibres_of(const ViewSubject& subject, std::size_t muscle) {
+    return muscle < subject.fibres.size() ? subject.fibres[muscle] : nullptr;
+}
+
 /// Colours of the chosen quantity; null: the item's one colour.
 FloatColours muscle_colours(const ViewSubject& subject, const ViewOptions& options, DrawCache& cache,
                             std::size_t i, const render::Rgba& base) {
@@ -59,17 +66,28 @@ FloatColours muscle_colours(const ViewSubject& subject, const ViewOptions& optio
         other != nullptr && options.compared == Compared::difference)
         return cache.difference_colours(i, muscle.mesh, points, other, millimetres_per_unit(scene.unit),
                                         options.difference_scale);
+    const ColourScale& scale = options.scales[options.colouring];
+    const auto field = [&](RestField which) {
+        return cache.field_colours(which, {subject.scene, i, attachments, fibres_of(subject, i)}, scale);
+    };
     switch (options.colouring) {
     case Colouring::anatomy:
     case Colouring::fibres:
         break;
     case Colouring::strain:
-        return cache.extension_colours(i, muscle.mesh, muscle_points(subject.rest, muscle, i), points,
-                                       options.strain_scale);
+        return cache.extension_colours(i, muscle.mesh, muscle_points(subject.rest, muscle, i), points, scale);
+    case Colouring::dihedral:
+        return cache.dihedral_colours(i, muscle.mesh, muscle_points(subject.rest, muscle, i), points, scale);
     case Colouring::depth:
-        return cache.depth_colours(scene, i, points, poses(), options.depth_scale);
+        return cache.depth_colours(scene, i, points, poses(), scale);
+    case Colouring::distance:
+        return cache.distance_colours(scene, i, points, poses(), scale);
     case Colouring::contact:
         return cache.contact_colours(scene, i, points, poses(), attachments);
+    case Colouring::stiffness:
+        return field(RestField::stiffness);
+    case Colouring::harmonic:
+        return field(RestField::harmonic);
     }
     if (options.attachments && !attachments.empty())
         return cache.attachment_colours(i, muscle.mesh, attachments, base);
@@ -171,6 +189,7 @@ void add_bones(render::DrawList& list, const ViewSubject& subject, const ViewOpt
         item.colour[3] = faded ? std::min(options.bone_opacity, faded_opacity) : options.bone_opacity;
         item.gloss = 0.12f;
         item.wireframe = options.wireframe;
+        item.cap = palette::cut_bone;
         list.surfaces.push_back(std::move(item));
     }
 }
@@ -219,7 +238,11 @@ void add_muscle(render::DrawList& list, const ViewSubject& subject, const ViewOp
     item.colour =
         static_cast<int>(i) == options.selected_muscle ? brighter(palette::muscle) : palette::muscle;
     item.vertex_colours = muscle_colours(subject, options, cache, i, item.colour);
-    const FibreModelPtr fibres = i < subject.fibres.size() && options.fibres ? subject.fibres[i] : nullptr;
+    if (item.vertex_colours == nullptr && colouring_row(options.colouring).has_scale() &&
+        options.colouring != Colouring::fibres)
+        item.colour = palette::no_value;
+    item.cap = palette::cut_muscle;
+    const FibreModelPtr fibres = options.fibres ? fibres_of(subject, i) : nullptr;
     const bool through = options.colouring == Colouring::fibres && fibres != nullptr &&
                          options.compared != Compared::difference;
     const bool faded = options.focus_bone >= 0;
@@ -229,9 +252,9 @@ void add_muscle(render::DrawList& list, const ViewSubject& subject, const ViewOp
     if (through && item.vertex_colours == nullptr)
         item.gloss = 0.0f;
     if (fibres != nullptr && item.colour[3] < 1.0f && !faded) {
-        const BorderLines lines =
-            cache.fibre_lines(i, muscle.mesh, fibres, rest, points,
-                              options.colouring == Colouring::fibres ? &options.stretch_scale : nullptr);
+        const BorderLines lines = cache.fibre_lines(
+            i, muscle.mesh, fibres, rest, points,
+            options.colouring == Colouring::fibres ? &options.scales[Colouring::fibres] : nullptr);
         render::LineItem line;
         line.points = lines.points;
         line.point_colours = lines.colours;
@@ -347,6 +370,13 @@ render::DrawList build_draw_list(const ViewSubject& subject, const ViewOptions& 
     require_fitting(*subject.scene, subject.rest);
     render::DrawList list;
     list.camera = camera;
+    if (options.section) {
+        const Vec3 n = -options.section->normal;
+        list.section = {static_cast<float>(n.x()), static_cast<float>(n.y()), static_cast<float>(n.z()),
+                        static_cast<float>(options.section->position)};
+    }
+    if (const BoundingBox box = cache.rest_bounds(*subject.scene); options.occlusion && !box.empty())
+        list.occlusion_radius = static_cast<float>(occlusion_reach * box.diagonal());
     add_bones(list, subject, options, cache);
     for (std::size_t i = 0; i < subject.scene->muscles.size(); ++i)
         if (options.muscle_visible(i) && subject.scene->muscles[i].mesh)

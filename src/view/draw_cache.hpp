@@ -10,6 +10,8 @@
 #include "view/attachment_marks.hpp"
 #include "view/bone_distance_cache.hpp"
 #include "view/colour_map.hpp"
+#include "view/rest_fields.hpp"
+#include "view/vertex_means.hpp"
 
 namespace fascicle::view {
 
@@ -55,6 +57,16 @@ public:
     /// The colour of each vertex's ContactState.
     FloatColours contact_colours(const Scene& scene, std::size_t muscle, const PointsPtr& points,
                                  const std::vector<Pose>& poses, const std::vector<Attachment>& attachments);
+    /// Mean dihedral change around each vertex, degrees, through the scale.
+    FloatColours dihedral_colours(std::size_t muscle, const MeshPtr& mesh, const PointsPtr& rest,
+                                  const PointsPtr& points, const ColourScale& scale);
+    /// Distance to the nearest bone, mm, 0 inside, through the scale. poses: one per bone of the scene.
+    FloatColours distance_colours(const Scene& scene, std::size_t muscle, const PointsPtr& points,
+                                  const std::vector<Pose>& poses, const ColourScale& scale);
+    /// A field at rest through the scale; null while there is none.
+    FloatColours field_colours(RestField field, const RestFields::Source& source, const ColourScale& scale);
+    RestFields& rest_fields() { return rest_fields_; }
+    const RestFields& rest_fields() const { return rest_fields_; }
     BorderLines attachment_border(std::size_t muscle, const MeshPtr& mesh,
                                   const std::vector<Attachment>& attachments, const PointsPtr& points);
 
@@ -77,7 +89,7 @@ public:
     BoundingBox rest_bounds(const Scene& scene);
 
     /// How many arrays were computed so far: stays the same while nothing changes.
-    int computed() const { return computed_ + distances_.computed(); }
+    int computed() const { return computed_ + distances_.computed() + rest_fields_.computed(); }
 
 private:
     struct Object { // a bone, a muscle
@@ -102,6 +114,13 @@ private:
         FloatColours depth_colours, contact_colours;
         BoneDistances depth_for, contact_for; ///< that the colours were made from
         ColourScale depth_scale;
+        std::shared_ptr<const VertexDihedralChange> dihedral_change;
+        PointsPtr dihedral_rest, dihedral_points;
+        VertexValues dihedrals, distances;
+        BoneDistances distances_for;
+        VertexValues value_colours_for; ///< values that value_colours were made from
+        ColourScale value_scale;
+        FloatColours value_colours;
         FibreModelPtr fibres;
         PointsPtr fibres_rest, fibres_points;
         std::optional<ColourScale> fibres_scale;
@@ -116,6 +135,7 @@ private:
     Object& object(std::vector<Object>& list, std::size_t index, const MeshPtr& mesh);
     const MeshTopology& topology(Object& object);
     void set_attachments(Object& object, const std::vector<Attachment>& attachments);
+    FloatColours value_colours(Object& object, const VertexValues& values, const ColourScale& scale);
     SurfaceArrays make_surface(const Points& points, const TriMesh& mesh);
 
     struct BoneMarks {
@@ -134,6 +154,7 @@ private:
     FramePtr lines_frame_;
     FloatPoints line_paths_;
     BoneDistanceCache distances_;
+    RestFields rest_fields_;
     int computed_ = 0;
 };
 

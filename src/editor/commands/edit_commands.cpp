@@ -32,6 +32,10 @@ void escape(EditorContext& context) {
         state.show_shortcuts = false;
     else if (context.features.exporter.running())
         context.features.exporter.cancel();
+    else if (state.tool == Tool::pick_point)
+        state.tool = Tool::look;
+    else if (context.features.loader.reading())
+        context.features.loader.cancel();
     else if (context.runs.running())
         run_command(context, C::cancel_run);
     else if (tool != nullptr)

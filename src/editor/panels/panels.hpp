@@ -12,6 +12,8 @@ std::unique_ptr<Panel> make_inspector();
 std::unique_ptr<Panel> make_viewport();
 std::unique_ptr<Panel> make_parameters();
 std::unique_ptr<Panel> make_paint_panel();
+std::unique_ptr<Panel> make_display();
+std::unique_ptr<Panel> make_motion();
 std::unique_ptr<Panel> make_timeline();
 std::unique_ptr<Panel> make_plots();
 std::unique_ptr<Panel> make_messages();

@@ -9,6 +9,8 @@ ViewportTool* active_tool(EditorContext& context) {
         return nullptr;
     case Tool::paint:
         return &context.features.paint_tool;
+    case Tool::pick_point:
+        return &context.features.motion;
     }
     return nullptr;
 }

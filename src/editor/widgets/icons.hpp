@@ -55,6 +55,8 @@ inline constexpr Icon pencil{"\xEF\x81\x80", "Lasso"};       // U+F040
 inline constexpr Icon line_chart{"\xEF\x88\x81", "Line"};    // U+F201
 inline constexpr Icon lock{"\xEF\x80\xA3", "locked"};        // U+F023
 inline constexpr Icon unlock{"\xEF\x82\x9C", "open"};        // U+F09C
+inline constexpr Icon adjust{"\xEF\x81\x82", "Through"};     // U+F042
+inline constexpr Icon cut{"\xEF\x83\x84", "Cut"};            // U+F0C4
 } // namespace icons
 
 /// Whether the icon font is loaded; set once by the editor.
