@@ -65,6 +65,9 @@ enum class Command {
     smaller_interface,
     normal_interface,
     show_shortcuts,
+    lesson_next,
+    lesson_back,
+    leave_lesson,
     escape,
 };
 

@@ -1,5 +1,7 @@
 #include "editor/scene_view.hpp"
 
+#include "editor/features.hpp"
+
 #include <algorithm>
 #include <chrono>
 
@@ -26,9 +28,15 @@ std::size_t count_vertices(const std::vector<std::vector<Attachment>>& lists) {
 
 view::ViewSubject view_subject(const EditorContext& context) {
     const ShownFrame shown = context.shown();
-    if (shown.frame != nullptr)
-        return view::subject_of(*shown.recording, shown.frame->index);
-    return view::subject_of(context.document.head());
+    view::ViewSubject subject = shown.frame != nullptr
+                                    ? view::subject_of(*shown.recording, shown.frame->index)
+                                    : view::subject_of(context.document.head());
+    // Until the run has its own, or while its are of other parameters: those made beside it.
+    if (shown.frame == nullptr || shown.state == FrameState::stale)
+        if (std::vector<FibreModelPtr> fibres = context.features.fibres.fibres_for(*subject.scene);
+            !fibres.empty())
+            subject.fibres = std::move(fibres);
+    return subject;
 }
 
 view::ViewOptions view_options(const EditorContext& context, const Scene& scene) {
@@ -55,8 +63,8 @@ SceneView::SceneView(bool best_quality) : best_quality_(best_quality) {}
 bool SceneView::same(const Key& a, const Key& b) {
     return a.scene == b.scene && a.frame == b.frame && a.attachment_count == b.attachment_count &&
            a.camera.view == b.camera.view && a.camera.projection == b.camera.projection &&
-           a.options == b.options && a.dark == b.dark && a.width == b.width && a.height == b.height &&
-           a.scale == b.scale;
+           a.options == b.options && a.fibres == b.fibres && a.dark == b.dark && a.width == b.width &&
+           a.height == b.height && a.scale == b.scale;
 }
 
 render::DrawList SceneView::build(const EditorContext& context, const view::ViewSubject& subject,
@@ -82,7 +90,8 @@ unsigned SceneView::texture(const EditorContext& context, int width, int height)
                   state.dark,
                   width,
                   height,
-                  state.scale};
+                  state.scale,
+                  subject.fibres};
     const bool unchanged = has_picture_ && same(key, key_);
     if (!unchanged)
         changed_ = context.now;

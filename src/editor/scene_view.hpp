@@ -40,6 +40,7 @@ private:
         bool dark = false;
         int width = 0, height = 0;
         float scale = 1;
+        std::vector<FibreModelPtr> fibres{};
     };
     static bool same(const Key& a, const Key& b);
     render::DrawList build(const EditorContext& context, const view::ViewSubject& subject, double aspect);

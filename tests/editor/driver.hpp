@@ -12,7 +12,7 @@ namespace fascicle::test {
 class Driver {
 public:
     explicit Driver(Scene scene = small_scene(), float width = 1280, float height = 800, float scale = 1,
-                    bool still = true);
+                    bool still = true, std::filesystem::path user_folder = {});
     ~Driver();
 
     void frame(int count = 1);

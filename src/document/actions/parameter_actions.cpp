@@ -68,4 +68,8 @@ bool set_method(Document& document, const std::string& method) {
     return replace(document, std::move(changed), "Use method " + method);
 }
 
+bool set_parameters(Document& document, ParamSet parameters, std::string name) {
+    return replace(document, std::move(parameters), std::move(name));
+}
+
 } // namespace fascicle::actions

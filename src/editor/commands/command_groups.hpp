@@ -11,6 +11,7 @@ std::vector<KeyBinding> timeline_commands();
 std::vector<KeyBinding> view_commands();
 std::vector<KeyBinding> show_commands();
 std::vector<KeyBinding> window_commands();
+std::vector<KeyBinding> lesson_commands();
 
 namespace keys {
 constexpr Modifiers ctrl{.ctrl = true};

@@ -1,5 +1,6 @@
 #include "editor/panels/panels.hpp"
 
+#include "editor/teach/lesson_menu.hpp"
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/paint.hpp"
 #include "editor/widgets/tool_button.hpp"
@@ -22,6 +23,7 @@ public:
         view_menu(context);
         menu(context, "Run", {C::run_again, C::cancel_run},
              {C::play_pause, C::step_back, C::step_on, C::first_frame, C::last_frame, C::toggle_loop});
+        draw_lesson_menu(context);
         window_menu(context);
         draw_title(context, area);
         ImGui::EndMenuBar();

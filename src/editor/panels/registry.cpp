@@ -10,6 +10,8 @@ const std::vector<PanelRow>& panel_registry() {
         {"selection", "Selection", Place::inspector, true, true, make_inspector},
         {"viewport", nullptr, Place::viewport, false, false, make_viewport},
         {"parameters", "Parameters", Place::parameters, true, true, make_parameters},
+        {"fibres", "Fibres", Place::parameters, true, true, make_fibres},
+        {"lesson", "Lesson", Place::lesson, true, true, make_lesson},
         {"timeline", nullptr, Place::timeline, true, false, make_timeline},
         {"plots", "Plots", Place::bottom, false, true, make_plots},
         {"messages", "Messages", Place::bottom, true, true, make_messages},

@@ -117,6 +117,7 @@ const std::vector<OverlayRow>& viewport_overlays() {
         {"legend", draw_legends},
         {"state", draw_state},
         {"empty", draw_empty},
+        {"quiz", draw_quiz_truth},
     };
     return rows;
 }

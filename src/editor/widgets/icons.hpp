@@ -40,6 +40,8 @@ inline constexpr Icon folder{"\xEF\x81\xBB", ""};        // U+F07B
 inline constexpr Icon up{"\xEF\x81\xA2", "^"};           // U+F062
 inline constexpr Icon trash{"\xEF\x80\x94", "Remove"};   // U+F014
 inline constexpr Icon link{"\xEF\x83\x81", "fixed"};     // U+F0C1
+inline constexpr Icon filter{"\xEF\x82\xB0", "changed"}; // U+F0B0
+inline constexpr Icon circle{"\xEF\x84\x8C", "o"};       // U+F10C
 inline constexpr Icon check{"\xEF\x80\x8C", "ok"};       // U+F00C
 } // namespace icons
 
