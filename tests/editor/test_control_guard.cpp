@@ -4,7 +4,7 @@
 
 using namespace fascicle::editor;
 
-TEST_CASE("Names with a star stand for all that begin so; what is pointed at is never locked",
+TEST_CASE("Names with a star stand for all that begin so, and what is pointed at is never locked",
           "[editor][lessons]") {
     ControlGuard guard;
     guard.locked = {"parameter/*", "toolbar/run"};

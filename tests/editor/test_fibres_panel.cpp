@@ -121,7 +121,7 @@ TEST_CASE("Fibres that cannot be made say so in the panel and leave the rest alo
     CHECK(d.has("fibres/muscle/muscle"));
 }
 
-TEST_CASE("A template of one's own comes from a file; a bad one is refused in one line",
+TEST_CASE("A template of one's own comes from a file, and a bad one is refused in one line",
           "[editor][ui][fibres]") {
     const test::TempDir folder;
     const auto bad = folder.path() / "bad.json", good = folder.path() / "mine.json";

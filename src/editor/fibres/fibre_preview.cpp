@@ -2,14 +2,11 @@
 
 #include "fascicle/anatomy/fibre_methods.hpp"
 #include "fascicle/base/parallel.hpp"
-#include "fascicle/geometry/bvh.hpp"
 #include "fascicle/geometry/volume.hpp"
-#include "fascicle/simulation/muscle_fibres.hpp"
-#include "simulation/resolve_attachments.hpp"
+#include "fascicle/simulation/rest_fibres.hpp"
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 namespace fascicle::editor {
 
@@ -48,45 +45,12 @@ bool same_fibres(const Scene& a, const Scene& b) {
            std::equal(a.muscles.begin(), a.muscles.end(), b.muscles.begin(), b.muscles.end(), same_muscle);
 }
 
-/// Search trees of the bones, made when an attachment has to be found.
-class Bones {
-public:
-    explicit Bones(const Scene& scene) : scene_(scene) {}
-    const std::vector<BoneQuery>& queries() {
-        if (queries_.empty()) {
-            trees_.reserve(scene_.bones.size());
-            for (std::size_t b = 0; b < scene_.bones.size(); ++b) {
-                trees_.emplace_back(*scene_.bones[b].mesh);
-                queries_.push_back({[this, b](const Vec3& p, double limit) {
-                                        return std::sqrt(
-                                            trees_[b].closest(p, limit * (1.0 + 1e-12)).squared_distance);
-                                    },
-                                    scene_.timeline.moves(static_cast<int>(b)),
-                                    {}});
-            }
-        }
-        return queries_;
-    }
-
-private:
-    const Scene& scene_;
-    std::vector<TriangleBvh> trees_;
-    std::vector<BoneQuery> queries_;
-};
-
-MuscleFibres make_one(const Scene& scene, const Muscle& muscle, Bones& bones, int threads) {
+MuscleFibres make_one(const Scene& scene, std::size_t index, RestFibres& fibres, int threads) {
+    const Muscle& muscle = scene.muscles[index];
     MuscleFibres result;
     result.muscle = muscle.name;
-    if (scene.parameters.get_choice("fibres.method") == "none")
-        return result;
     try {
-        const MeshTopology topology(muscle.mesh->vertex_count(), muscle.mesh->triangles);
-        std::vector<std::string> notes;
-        const std::vector<Attachment> attachments =
-            muscle.attachments.empty()
-                ? resolve_attachments(scene, muscle, topology, bones.queries(), true, notes)
-                : muscle.attachments;
-        result.fibres = make_fibres(scene, muscle, *muscle.mesh, topology, attachments, threads);
+        result.fibres = fibres.make(index, threads);
         if (result.fibres != nullptr)
             result.architecture = muscle_architecture(
                 result.fibres->rest, signed_volume(muscle.mesh->positions, muscle.mesh->triangles),
@@ -108,11 +72,10 @@ struct FibrePreview::Job {
     explicit Job(ScenePtr of) : scene(std::move(of)) {
         result = std::async(std::launch::async, [this] {
             const int threads = std::max(1, hardware_threads() - 1);
-            Bones bones(*scene);
+            RestFibres fibres(*scene);
             std::vector<MuscleFibres> muscles;
-            for (const Muscle& muscle : scene->muscles)
-                if (!stop)
-                    muscles.push_back(make_one(*scene, muscle, bones, threads));
+            for (std::size_t i = 0; i < scene->muscles.size() && !stop; ++i)
+                muscles.push_back(make_one(*scene, i, fibres, threads));
             return muscles;
         });
     }
