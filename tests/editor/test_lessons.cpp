@@ -184,13 +184,15 @@ void go_through(const std::string& id) {
         d.frame(3);
         check_names(d);
         const std::vector<LessonCheck> checks = player(d).step().checks;
-        if (!checks.empty()) {
+        // A run of the step before may have shown a metric already.
+        const bool by_run = !checks.empty() && checks.back().what == "metric";
+        if (!checks.empty() && !(by_run && player(d).done(i))) {
             CHECK_FALSE(player(d).done(i));
             d.click("lesson/next"); // too early
             CHECK(player(d).step_index() == i);
+            for (const LessonCheck& check : checks)
+                fulfil(d, check);
         }
-        for (const LessonCheck& check : checks)
-            fulfil(d, check);
         d.frame(2);
         REQUIRE(player(d).done(i));
         d.state().playback.position = 0; // scrubbing takes nothing back
@@ -284,7 +286,8 @@ TEST_CASE("A lesson locks all but what it points at, and says so", "[editor][ui]
 
     // The ring stands still after a while, so that nothing has to be drawn.
     CHECK(player(d).redraw_after().has_value());
-    d.frame(60 * 7);
+    for (int i = 0; i < 30; ++i)
+        d.editor().draw_frame(1280, 800, 0.25);
     CHECK_FALSE(player(d).redraw_after().has_value());
 }
 

@@ -43,7 +43,7 @@ TEST_CASE("A preset from the list is one undo step, and shows as the one in forc
 
 TEST_CASE("Own presets are kept, applied and deleted", "[editor][ui][presets]") {
     const test::TempDir folder;
-    Driver d(test::small_scene(), 1280, 800, 1, true, folder.path());
+    Driver d(test::small_scene(), 1280, 1500, 1, true, folder.path()); // all rows in sight
     d.frame(3);
     actions::set_parameter(d.document(), "solver.damping", 42);
     d.frame(2);

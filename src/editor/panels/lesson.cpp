@@ -133,7 +133,9 @@ private:
 
     static void draw_quiz(EditorContext& context, LessonPlayer& player) {
         const float width = ImGui::GetContentRegionAvail().x;
-        if (ImGui::Button(player.last_score() ? "Score it again" : "Score it", {width, 0}))
+        const float ring = context.px(5); // that a lesson draws round it
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ring);
+        if (ImGui::Button(player.last_score() ? "Score it again" : "Score it", {width - 2 * ring, 0}))
             player.score(context);
         record_item("lesson/score");
         item_tooltip("Compares what is painted with the true area, and shows that as a line.");

@@ -35,14 +35,16 @@ void PresetBar::draw(EditorContext& context) {
     PresetStore& store = context.features.presets;
     const LockScope lock("parameters/presets");
     const float height = ImGui::GetFrameHeight(), width = ImGui::GetContentRegionAvail().x;
-    std::string shown = "Choose a preset";
-    for (const Preset& preset : store.all(context))
-        if (preset_changes(preset, context.document.scene().parameters).empty()) {
-            shown = preset.label;
-            break;
-        }
+    if (version_ != context.document.version()) {
+        version_ = context.document.version();
+        in_force_.clear();
+        for (const Preset& preset : store.all(context))
+            if (in_force_.empty() && preset_changes(preset, context.document.scene().parameters).empty())
+                in_force_ = preset.label;
+    }
     ImGui::SetNextItemWidth(std::max(20.0f, width - height - context.px(4)));
-    const bool open = ImGui::BeginCombo("##presets", shown.c_str(), ImGuiComboFlags_HeightLarge);
+    const bool open = ImGui::BeginCombo(
+        "##presets", in_force_.empty() ? "Choose a preset" : in_force_.c_str(), ImGuiComboFlags_HeightLarge);
     const Rect frame{ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
     if (!open)
         item_tooltip(
@@ -69,7 +71,8 @@ void PresetBar::draw(EditorContext& context) {
 void PresetBar::draw_list(EditorContext& context) {
     PresetStore& store = context.features.presets;
     const ParamSet& parameters = context.document.scene().parameters;
-    const std::vector<Preset> presets = store.all(context); // a copy: it may change below
+    const std::vector<Preset>& presets = store.all(context);
+    const Preset* removed = nullptr;
     bool own_begun = false;
     const float side = ImGui::GetTextLineHeight(), room = ImGui::GetContentRegionAvail().x;
     for (const Preset& preset : presets) {
@@ -83,15 +86,20 @@ void PresetBar::draw_list(EditorContext& context) {
                               {own ? room - side - context.px(10) : 0.0f, 0}))
             store.apply(context, preset);
         record_item("parameters/presets/" + preset.key);
-        item_tooltip(describe(preset, parameters));
+        if (ImGui::IsItemHovered())
+            item_tooltip(describe(preset, parameters));
         if (own) {
             ImGui::SameLine();
             const std::string name = "parameters/presets/" + preset.key + "/delete";
             if (icon_button(context, name.c_str(), icons::trash, false, true,
                             "Delete this preset of yours: " + preset.file.string(), side / context.scale()))
-                store.remove(context, preset);
+                removed = &preset;
         }
         ImGui::PopID();
+    }
+    if (removed != nullptr) {
+        store.remove(context, *removed);
+        version_ = 0; // it may have been the one in force
     }
 }
 
@@ -118,8 +126,10 @@ void PresetBar::draw_keep(EditorContext& context) {
     const bool pressed = ImGui::Button("Keep", {context.px(90), 0});
     record_item("parameters/keep/ok");
     ImGui::EndDisabled();
-    if (ready && (pressed || entered) && store.save(context, name_))
+    if (ready && (pressed || entered) && store.save(context, name_)) {
+        version_ = 0; // it is in force
         ImGui::CloseCurrentPopup();
+    }
     ImGui::EndPopup();
 }
 

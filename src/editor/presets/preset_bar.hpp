@@ -13,6 +13,8 @@ private:
     void draw_list(EditorContext& context);
     void draw_keep(EditorContext& context);
     std::string name_;
+    std::string in_force_;      ///< label of the first preset whose values hold
+    std::uint64_t version_ = 0; ///< of the document that in_force_ was found for
 };
 
 } // namespace fascicle::editor
