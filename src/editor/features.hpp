@@ -1,20 +1,36 @@
 #pragma once
 // All features of the editor; EditorContext knows only that there are some.
 
+#include "editor/compare.hpp"
+#include "editor/exporter.hpp"
 #include "editor/fibres/fibre_preview.hpp"
+#include "editor/paint/paint_tool.hpp"
 #include "editor/presets/preset_store.hpp"
+#include "editor/run_shelf.hpp"
 #include "editor/scene_opener.hpp"
+#include "editor/settings.hpp"
 #include "editor/teach/lesson_player.hpp"
+#include "editor/viewport/fibre_hover.hpp"
 
 namespace fascicle::editor {
 
 struct Features {
+    SettingsKeeper settings;
     SceneOpener opener;
     FibrePreview fibres;
     PresetStore presets;
     LessonPlayer lessons;
+    PaintMode paint;
+    PaintTool paint_tool{paint};
+    RunShelf shelf;
+    Compare compare;
+    Exporter exporter;
+    FibreHover fibre_hover;
 
-    std::vector<Feature*> all() { return {&opener, &fibres, &presets, &lessons}; }
+    std::vector<Feature*> all() {
+        return {&settings, &opener, &fibres,  &presets,  &lessons,
+                &paint,    &shelf,  &compare, &exporter, &fibre_hover};
+    }
 };
 
 } // namespace fascicle::editor

@@ -1,18 +1,24 @@
 #pragma once
 // All dialogs of the editor; EditorContext knows only that there are some.
 
+#include "editor/dialogs/command_search.hpp"
+#include "editor/dialogs/export_dialog.hpp"
 #include "editor/dialogs/mesh_dialog.hpp"
 #include "editor/dialogs/pick_file_dialog.hpp"
 #include "editor/dialogs/picture_dialog.hpp"
+#include "editor/dialogs/run_dialog.hpp"
 
 namespace fascicle::editor {
 
 struct Dialogs {
+    CommandSearch search;
     MeshDialog mesh;
     PictureDialog picture;
     PickFileDialog pick;
+    RunDialog run;
+    ExportDialog exporting;
 
-    std::vector<Dialog*> all() { return {&mesh, &picture, &pick}; }
+    std::vector<Dialog*> all() { return {&search, &mesh, &picture, &run, &exporting, &pick}; }
 };
 
 } // namespace fascicle::editor
