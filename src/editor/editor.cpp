@@ -149,7 +149,9 @@ void Editor::take_opened_scene() {
         return;
     for (const std::string& note : opened->notes)
         log_.add(Severity::note, note);
-    replace_document(Document(std::move(opened->scene), std::move(opened->path)));
+    replace_document(opened->document != nullptr
+                         ? std::move(*opened->document)
+                         : Document(std::move(opened->scene), std::move(opened->path)));
 }
 
 /// What the run has to say goes to the log.
@@ -218,7 +220,7 @@ void Editor::draw_frame(float width, float height, double seconds) {
         {Place::tree, &layout_.tree},         {Place::inspector, &layout_.inspector},
         {Place::viewport, &layout_.viewport}, {Place::parameters, &layout_.parameters},
         {Place::timeline, &layout_.timeline}, {Place::bottom, &layout_.bottom},
-        {Place::status, &layout_.status}};
+        {Place::status, &layout_.status},     {Place::lesson, &layout_.lesson}};
     for (const auto& [place, area] : places)
         if (area->width() >= 1 && area->height() >= 1)
             draw_place(c, place, *area);

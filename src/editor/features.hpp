@@ -3,12 +3,15 @@
 
 #include "editor/compare.hpp"
 #include "editor/exporter.hpp"
+#include "editor/fibres/fibre_preview.hpp"
 #include "editor/file_loader.hpp"
 #include "editor/motion_edit.hpp"
 #include "editor/paint/paint_tool.hpp"
+#include "editor/presets/preset_store.hpp"
 #include "editor/run_shelf.hpp"
 #include "editor/scene_opener.hpp"
 #include "editor/settings.hpp"
+#include "editor/teach/lesson_player.hpp"
 #include "editor/viewport/fibre_hover.hpp"
 
 namespace fascicle::editor {
@@ -16,6 +19,9 @@ namespace fascicle::editor {
 struct Features {
     SettingsKeeper settings;
     SceneOpener opener;
+    FibrePreview fibres;
+    PresetStore presets;
+    LessonPlayer lessons;
     PaintMode paint;
     PaintTool paint_tool{paint};
     RunShelf shelf;
@@ -26,7 +32,8 @@ struct Features {
     MotionEdit motion;
 
     std::vector<Feature*> all() {
-        return {&settings, &opener, &paint, &shelf, &compare, &exporter, &fibre_hover, &loader, &motion};
+        return {&settings,    &opener, &paint,  &shelf,  &compare, &exporter,
+                &fibre_hover, &loader, &motion, &fibres, &presets, &lessons};
     }
 };
 

@@ -14,6 +14,8 @@ struct OpenedScene {
     Scene scene;
     std::filesystem::path path;     ///< the project's file; empty when it is none
     std::vector<std::string> notes; ///< for the log
+    /// When not null, this, with its undo history, instead of scene and path.
+    std::shared_ptr<Document> document{};
 };
 
 class SceneOpener : public Feature {

@@ -5,6 +5,7 @@
 #include "editor/dialogs/export_dialog.hpp"
 #include "editor/dialogs/load_dialog.hpp"
 #include "editor/dialogs/mesh_dialog.hpp"
+#include "editor/dialogs/pick_file_dialog.hpp"
 #include "editor/dialogs/picture_dialog.hpp"
 #include "editor/dialogs/run_dialog.hpp"
 
@@ -15,10 +16,11 @@ struct Dialogs {
     MeshDialog mesh;
     LoadDialog load;
     PictureDialog picture;
+    PickFileDialog pick;
     RunDialog run;
     ExportDialog exporting;
 
-    std::vector<Dialog*> all() { return {&search, &mesh, &picture, &run, &exporting, &load}; }
+    std::vector<Dialog*> all() { return {&search, &mesh, &picture, &run, &exporting, &load, &pick}; }
 };
 
 } // namespace fascicle::editor
