@@ -58,7 +58,7 @@ TEST_CASE("Shade from the neighbourhood is the same in tiles", "[output][picture
     const render::OsmesaContext gl;
     const RecordingPtr recording = test::small_recording(3);
     const view::ViewSubject subject = view::subject_of(*recording, 2);
-    const int width = 400, height = 300, margin = 90;
+    const int width = 400, height = 300, margin = 92; // by fours, as the pattern of the samples goes
     for (const bool orthographic : {false, true}) {
         view::Camera camera = view::picture_camera(subject, double(width) / height);
         camera.set_orthographic(orthographic);
@@ -67,7 +67,7 @@ TEST_CASE("Shade from the neighbourhood is the same in tiles", "[output][picture
         view::DrawCache cache;
         render::DrawList list =
             view::build_draw_list(subject, options, camera.pose(double(width) / height), cache);
-        list.occlusion_radius *= 0.5f; // well below the margin
+        list.occlusion_radius = 60; // wider than the gaps between the bodies
         render::SceneRenderer renderer;
         const auto draw = [&](const render::DrawList& what, int w, int h) {
             const render::OffscreenTarget target(w, h, 2);
@@ -77,7 +77,7 @@ TEST_CASE("Shade from the neighbourhood is the same in tiles", "[output][picture
         const render::Image one = draw(list, width, height);
         render::DrawList bare = list;
         bare.occlusion_radius = 0;
-        CHECK(render::differing_share(one, draw(bare, width, height), 12) > 0.02); // there is shade at all
+        CHECK(render::differing_share(one, draw(bare, width, height), 6) > 0.05); // there is shade at all
         const view::PictureTile corner{0, 0, 150, 120};
         const render::Image part = draw(view::list_of_tile(list, width, height, corner, margin),
                                         corner.width + 2 * margin, corner.height + 2 * margin);
@@ -88,7 +88,7 @@ TEST_CASE("Shade from the neighbourhood is the same in tiles", "[output][picture
                 b.rgba.push_back(
                     part.rgba[static_cast<std::size_t>(4 * ((y + margin) * part.width + margin) + x)]);
             }
-        CHECK(render::differing_share(a, b, 24) < 0.02); // the spiral of its samples turns otherwise
+        CHECK(render::differing_share(a, b, 6) < 0.02);
     }
 }
 
