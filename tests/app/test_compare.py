@@ -19,7 +19,7 @@ class CompareTest(ProgramTest):
             return list(csv.DictReader(file))
 
     def points(self, run, frame):
-        """Positions of the strap in a frame, from the ascii or binary-free part of the vtp that every reader knows."""
+        """Positions of the strap in a frame, from the text of its file."""
         text = (self.folder / run / "frames" / f"strap.{frame:04d}.vtp").read_text()
         body = re.search(r"<Points>\s*<DataArray[^>]*>(.*?)</DataArray>", text, re.S).group(1)
         numbers = [float(x) for x in body.split()]
