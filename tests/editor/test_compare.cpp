@@ -479,6 +479,7 @@ TEST_CASE("A run folder is loaded, kept and compared", "[editor][compare][ui]") 
     REQUIRE(run != nullptr);
     CHECK(run->name == "stored");
     CHECK(run->pinned);
+    CHECK(run->recording->scene().timeline.angle_rad(8) == Approx(scene->timeline.angle_rad(8)));
     d.click("compare/run/" + std::to_string(run->id) + "/b");
     wait(d);
     CHECK(compare(d).reason().empty());
