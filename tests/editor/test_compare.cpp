@@ -414,8 +414,10 @@ TEST_CASE("The picture shows A and B as each way of comparing says", "[editor][c
     go_to(d, 60);
     const int width = static_cast<int>(d.rect("viewport").width());
     std::map<std::string, render::Image> images;
+    const view::Camera camera = d.state().camera;
     const auto take = [&](const std::string& name) {
         d.frame(2);
+        d.state().camera = camera; // two pictures side by side are framed anew
         const test::TempDir folder;
         d.state().wants_picture = folder.path() / "view.png";
         d.frame();
