@@ -2,19 +2,32 @@
 // All features of the editor; EditorContext knows only that there are some.
 
 #include "editor/compare.hpp"
+#include "editor/exporter.hpp"
+#include "editor/file_loader.hpp"
+#include "editor/motion_edit.hpp"
+#include "editor/paint/paint_tool.hpp"
 #include "editor/run_shelf.hpp"
 #include "editor/scene_opener.hpp"
 #include "editor/settings.hpp"
+#include "editor/viewport/fibre_hover.hpp"
 
 namespace fascicle::editor {
 
 struct Features {
-    Settings settings;
+    SettingsKeeper settings;
     SceneOpener opener;
+    PaintMode paint;
+    PaintTool paint_tool{paint};
     RunShelf shelf;
     Compare compare;
+    Exporter exporter;
+    FibreHover fibre_hover;
+    FileLoader loader;
+    MotionEdit motion;
 
-    std::vector<Feature*> all() { return {&settings, &opener, &shelf, &compare}; }
+    std::vector<Feature*> all() {
+        return {&settings, &opener, &paint, &shelf, &compare, &exporter, &fibre_hover, &loader, &motion};
+    }
 };
 
 } // namespace fascicle::editor

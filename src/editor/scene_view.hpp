@@ -26,11 +26,15 @@ public:
     static constexpr double refine_after_seconds = 0.25;
     /// Whether the last picture should be drawn again, better, now that nothing moves.
     bool refinement_pending() const { return refinement_pending_; }
+    /// Whether colours are still being made beside the interface.
+    bool waiting() const { return cache_.rest_fields().waiting(); }
     /// A picture of its own, not of the screen's size.
     render::Image picture(const EditorContext& context, int width, int height);
     bool best_quality() const { return best_quality_; }
     /// Pictures drawn so far, for tests.
     int drawn() const { return drawn_; }
+    /// CPU seconds of this thread spent in GL so far.
+    double raster_seconds() const { return raster_seconds_; }
 
 private:
     /// All that the picture depends on.
@@ -38,6 +42,9 @@ private:
         ScenePtr scene;
         FramePtr frame;
         std::size_t attachment_count = 0;
+        view::ShownAreas areas;
+        std::shared_ptr<const std::vector<view::BoneHighlight>> highlights;
+        std::shared_ptr<const view::ViewSubject::MarkedVertices> marked;
         std::vector<PointsPtr> compared;
         render::CameraPose camera;
         view::ViewOptions options;
@@ -59,6 +66,7 @@ private:
     double changed_ = 0;      ///< when the picture last changed
     double fine_seconds_ = 0; ///< what a supersampled picture cost lately
     int drawn_ = 0;
+    double raster_seconds_ = 0;
 };
 
 } // namespace fascicle::editor

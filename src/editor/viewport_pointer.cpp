@@ -9,7 +9,7 @@ PointerAction ViewportPointer::action(const PointerInput& input) {
     using A = PointerAction;
     int button = input.pressed;
     if (input.navigation == Navigation::blender) {
-        if (button == 0 && input.alt)
+        if (button == 0 && (input.alt || input.camera_held))
             button = 2; // who has no middle button
         if (button != 2)
             return A::none;

@@ -17,6 +17,8 @@ struct PointerInput {
         -1; ///< button that went down in this frame over the view (0 left, 1 right, 2 middle), or -1
     int released = -1; ///< button that came up in this frame, or -1
     bool ctrl = false, shift = false, alt = false;
+    /// The key that gives the pointer to the camera (V): some desktops keep Alt for themselves.
+    bool camera_held = false;
     bool inside = false; ///< the pointer is over the view, and nothing is in front
     Navigation navigation = Navigation::fascicle;
 };

@@ -321,6 +321,37 @@ FloatPoints DrawCache::line_paths(const ScenePtr& scene, const FramePtr& frame) 
     return line_paths_;
 }
 
+const ShownAreas& DrawCache::scene_areas(const ScenePtr& scene) {
+    if (scene_areas_ == nullptr || areas_scene_ != scene) {
+        std::vector<std::vector<AttachmentArea>> by_muscle;
+        for (const Muscle& muscle : scene->muscles)
+            by_muscle.push_back(muscle.areas);
+        scene_areas_ = shown_areas(by_muscle);
+        areas_scene_ = scene;
+    }
+    return scene_areas_;
+}
+
+const AreaMarks& DrawCache::bone_marks(std::size_t bone, const MeshPtr& mesh, const ShownAreas& areas,
+                                       const std::shared_ptr<const std::vector<BoneHighlight>>& highlights,
+                                       const render::Rgba& base) {
+    if (bone >= bone_marks_.size())
+        bone_marks_.resize(bone + 1);
+    BoneMarks& own = bone_marks_[bone];
+    const bool fresh = own.marks == nullptr || own.marks->mesh() != mesh;
+    if (fresh)
+        own.marks = std::make_unique<AreaMarks>(mesh);
+    if (fresh || own.areas != areas || own.highlights != highlights || own.base != base) {
+        static const std::vector<BoneHighlight> none;
+        own.marks->update(static_cast<int>(bone), *areas, highlights ? *highlights : none, base);
+        own.areas = areas;
+        own.highlights = highlights;
+        own.base = base;
+        ++computed_;
+    }
+    return *own.marks;
+}
+
 BorderLines DrawCache::attachment_border(std::size_t muscle, const MeshPtr& mesh,
                                          const std::vector<Attachment>& attachments,
                                          const PointsPtr& points) {

@@ -8,7 +8,7 @@ namespace fascicle::test {
 namespace ed = fascicle::editor;
 
 Driver::Driver(Scene scene, float width, float height, float scale, bool still,
-               const std::filesystem::path& user_folder)
+               std::filesystem::path user_folder)
     : width_(width), height_(height), host_(scale) {
     const auto start = [this](ScenePtr head) -> std::unique_ptr<ed::Run> {
         auto run = std::make_unique<HandRun>(std::move(head));
@@ -17,7 +17,7 @@ Driver::Driver(Scene scene, float width, float height, float scale, bool still,
         return run;
     };
     editor_ = std::make_unique<ed::Editor>(host_, Document(std::move(scene)), start,
-                                           ed::EditorOptions{true, still, user_folder});
+                                           ed::EditorOptions{true, still, std::move(user_folder)});
     ed::set_item_recorder(&recorder_);
 }
 

@@ -27,6 +27,7 @@ std::function<int()> add_info(CLI::App& app);
 std::function<int()> add_simulate(CLI::App& app);
 std::function<int()> add_fibres(CLI::App& app);
 std::function<int()> add_render(CLI::App& app);
+std::function<int()> add_report(CLI::App& app);
 std::function<int()> add_lines(CLI::App& app);
 std::function<int()> add_compare(CLI::App& app);
 std::function<int()> add_bench(CLI::App& app);

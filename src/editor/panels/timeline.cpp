@@ -36,6 +36,7 @@ public:
         follow(context, ruler);
         marker_popup(context);
         menu(context);
+        empty_hint(context, area);
     }
 
 private:
@@ -164,6 +165,33 @@ private:
                   context.theme.text_faint, of);
         ImGui::Dummy({text_size(of).x, side});
     }
+
+    /// A way out where nothing moves yet.
+    void empty_hint(EditorContext& context, const Rect& area) {
+        if (version_ != context.document.version()) {
+            version_ = context.document.version();
+            const Scene& scene = context.document.scene();
+            moves_ = scene.bones.empty();
+            for (int b = 0; b < static_cast<int>(scene.bones.size()); ++b)
+                moves_ |= scene.timeline.moves(b);
+        }
+        if (moves_)
+            return;
+        if (area.width() < context.px(820))
+            return; // no room beside the buttons
+        const char* const text = "Nothing moves yet: set a motion";
+        const float width = text_size(text).x + context.px(24), height = context.px(26);
+        ImGui::SetCursorScreenPos({(area.min.x + area.max.x - width) / 2, area.min.y + context.px(6)});
+        ImGui::PushStyleColor(ImGuiCol_Button, context.theme.accent_dim);
+        if (ImGui::Button(text, {width, height}))
+            run_command(context, C::show_motion);
+        ImGui::PopStyleColor();
+        record_item("timeline/motion");
+        item_tooltip(tooltip(C::show_motion));
+    }
+
+    std::uint64_t version_ = 0;
+    bool moves_ = true;
 
     /// Speed and unit, at the right end.
     static void options(EditorContext& context, const Rect& area, float side) {

@@ -35,7 +35,10 @@ public:
         const Rect part = in_second_ ? right : left;
         const view::ViewSize size{double(part.width()), double(part.height())};
         state.view_aspect = size.aspect();
-        state.camera.set_scene_bounds(bounds(context));
+        state.view_width = std::max(1, static_cast<int>(area.width()));
+        state.view_height = std::max(1, static_cast<int>(area.height()));
+        state.scene_box = bounds(context);
+        state.camera.set_scene_bounds(state.scene_box);
         if (two && !two_before_ && cut_off(context, {double(area.width()), double(area.height())}, size))
             state.frame_view_pending = true;
         two_before_ = two;
@@ -94,6 +97,7 @@ private:
         input.ctrl = io.KeyCtrl;
         input.shift = io.KeyShift;
         input.alt = io.KeyAlt;
+        input.camera_held = io.KeysDown[key_v];
         input.navigation = context.state.navigation;
         input.inside = hovered && !cube_hovered_;
         for (int button = 0; button < 3; ++button) {
@@ -102,16 +106,25 @@ private:
             if (ImGui::IsMouseReleased(button))
                 input.released = button;
         }
-        if (input.inside && ImGui::IsMouseDoubleClicked(0) && !io.KeyCtrl && !io.KeyShift)
+        if (EditorState& state = context.state;
+            input.inside && input.ctrl && input.wheel != 0 && state.section.on) {
+            move_section(state.section, state.scene_box, input.wheel * 0.01);
+            input.wheel = 0; // no zoom as well
+        }
+        if (input.inside && ImGui::IsMouseDoubleClicked(0) && !io.KeyCtrl && !io.KeyShift &&
+            (active_tool(context) == nullptr || input.alt || input.camera_held))
             if (const std::optional<Hit> hit = pick_at(context, input, size, in_second_))
                 context.state.camera.set_pivot(hit->point);
         if (ViewportTool* tool = active_tool(context);
             tool != nullptr && !pointer_.dragging() && tool->take_pointer(context, input, size))
             return;
+        if (input.inside && context.state.tool == Tool::look && !pointer_.dragging())
+            context.features.fibre_hover.point_at(context, {input.x, input.y}, size);
         const ViewportPointer::Result result =
             pointer_.update(input, size, double(context.scale()), context.state.camera);
         if (result.clicked && *result.clicked != 2) {
-            select(context, pick_at(context, input, size, in_second_), in_second_);
+            if (active_tool(context) == nullptr) // a tool keeps what it works on
+                select(context, pick_at(context, input, size, in_second_), in_second_);
             if (*result.clicked == 1)
                 ImGui::OpenPopup("viewport menu");
         }
@@ -189,8 +202,8 @@ private:
         for (const Command command : {C::hide_selected, C::hide_others, C::show_all})
             menu_item(context, command);
         ImGui::Separator();
-        for (const Command command :
-             {C::toggle_attachments, C::toggle_wireframe, C::toggle_rest_ghost, C::toggle_orthographic})
+        for (const Command command : {C::toggle_attachments, C::toggle_wireframe, C::toggle_rest_ghost,
+                                      C::toggle_orthographic, C::toggle_see_through, C::toggle_section})
             menu_item(context, command);
         ImGui::Separator();
         menu_item(context, C::save_picture);

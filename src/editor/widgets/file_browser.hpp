@@ -18,6 +18,7 @@ public:
     /// Null path when none is chosen.
     const std::filesystem::path& chosen() const { return chosen_; }
     /// The folder that is listed.
+    /// The folder whose files are listed.
     const std::filesystem::path& folder() const { return folder_; }
     /// Whether the chosen file was double-clicked in the last draw().
     bool confirmed() const { return confirmed_; }

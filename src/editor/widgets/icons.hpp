@@ -45,6 +45,18 @@ inline constexpr Icon pin{"\xEF\x82\x8D", "pin"};        // U+F08D
 inline constexpr Icon sliders{"\xEF\x87\x9E", "use"};    // U+F1DE
 inline constexpr Icon exchange{"\xEF\x83\xAC", "swap"};  // U+F0EC
 inline constexpr Icon check{"\xEF\x80\x8C", "ok"};       // U+F00C
+
+inline constexpr Icon brush{"\xEF\x87\xBC", "Brush"};        // U+F1FC
+inline constexpr Icon eraser{"\xEF\x84\xAD", "Erase"};       // U+F12D
+inline constexpr Icon drop{"\xEF\x81\x83", "Smooth"};        // U+F043
+inline constexpr Icon wand{"\xEF\x83\x90", "Smart"};         // U+F0D0
+inline constexpr Icon filled_ring{"\xEF\x86\x92", "Bucket"}; // U+F192
+inline constexpr Icon pencil{"\xEF\x81\x80", "Lasso"};       // U+F040
+inline constexpr Icon line_chart{"\xEF\x88\x81", "Line"};    // U+F201
+inline constexpr Icon lock{"\xEF\x80\xA3", "locked"};        // U+F023
+inline constexpr Icon unlock{"\xEF\x82\x9C", "open"};        // U+F09C
+inline constexpr Icon adjust{"\xEF\x81\x82", "Through"};     // U+F042
+inline constexpr Icon cut{"\xEF\x83\x84", "Cut"};            // U+F0C4
 } // namespace icons
 
 /// Whether the icon font is loaded; set once by the editor.
