@@ -9,8 +9,9 @@ namespace fascicle::output {
 
 namespace {
 
-/// Pixels drawn around a tile and thrown away: wide lines and what looks at neighbouring pixels are right up to its border.
-constexpr int margin = 16;
+/// Pixels drawn around a tile and thrown away, so that wide lines are right up to its border, and shade from the neighbourhood
+/// is, too.
+constexpr int line_margin = 16, occlusion_margin = 200;
 
 } // namespace
 
@@ -33,7 +34,7 @@ bool FramePainter::step() {
     if (complete())
         return false;
     const view::PictureTile tile = tiles_[next_];
-    const int around = tiles_.size() > 1 ? margin : 0;
+    const int around = tiles_.size() < 2 ? 0 : list_.occlusion_radius > 0 ? occlusion_margin : line_margin;
     const int width = tile.width + 2 * around, height = tile.height + 2 * around;
     if (target_ == nullptr || target_->width() != width || target_->height() != height) {
         target_.reset();

@@ -214,7 +214,7 @@ private:
 
     /// The scale of the strain's colours.
     static std::string strain_bar() {
-        const view::ColourScale scale = view::ViewOptions{}.strain_scale;
+        const view::ColourScale scale = view::colouring_row(view::Colouring::strain).scale;
         std::string stops;
         for (int i = 0; i <= 16; ++i) {
             const render::Rgba c = scale.colour(scale.low + (scale.high - scale.low) * i / 16);

@@ -63,6 +63,7 @@ std::vector<Shot> report_shots(const Recording& recording, const PictureLook& lo
         shots.push_back({last, own, "At the end"});
     if (last > 0) {
         own.options.colouring = view::Colouring::strain;
+        own.options.scales = {}; // those of the table, which the page shows beside it
         shots.push_back({flexed > 0 ? flexed : last, own, strain_title});
     }
     return shots;

@@ -26,6 +26,7 @@ uniform sampler2D depth;
 uniform int supersampling;
 uniform vec2 size;       // of this picture
 uniform vec4 projection; // P00, P11, P22, P32
+uniform vec2 off_centre; // of the axis in the picture, which may be a part of a larger one
 uniform int orthographic;
 uniform float radius;
 out vec4 result;
@@ -39,7 +40,7 @@ float view_z(ivec2 pixel) {
 }
 vec3 place(ivec2 pixel) {
     float z = view_z(pixel);
-    vec2 ndc = 2.0 * (vec2(pixel) + 0.5) / size - 1.0;
+    vec2 ndc = 2.0 * (vec2(pixel) + 0.5) / size - 1.0 - off_centre;
     return vec3(ndc / projection.xy * (orthographic != 0 ? 1.0 : -z), z);
 }
 void main() {
@@ -170,6 +171,10 @@ void OcclusionPass::apply(const OffscreenTarget& target, const Mat4f& projection
         shader.set("supersampling", supersampling);
         shader.set("size", static_cast<float>(width), static_cast<float>(height));
         shader.set("projection", Rgba{projection[0], projection[5], projection[10], projection[14]});
+        const bool parallel = projection[15] != 0.0f; // P20, P21 come with -z, P30, P31 as they are
+        if (&shader == &occlusion_)
+            shader.set("off_centre", parallel ? projection[12] : -projection[8],
+                       parallel ? projection[13] : -projection[9]);
         shader.set("orthographic", projection[15] != 0.0f ? 1 : 0);
         shader.set("radius", radius);
     };

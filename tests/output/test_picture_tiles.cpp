@@ -54,6 +54,44 @@ TEST_CASE("A picture in tiles is the picture in one", "[view][picture]") {
     }
 }
 
+TEST_CASE("Shade from the neighbourhood is the same in tiles", "[output][picture]") {
+    const render::OsmesaContext gl;
+    const RecordingPtr recording = test::small_recording(3);
+    const view::ViewSubject subject = view::subject_of(*recording, 2);
+    const int width = 400, height = 300, margin = 90;
+    for (const bool orthographic : {false, true}) {
+        view::Camera camera = view::picture_camera(subject, double(width) / height);
+        camera.set_orthographic(orthographic);
+        view::ViewOptions options;
+        options.occlusion = true;
+        view::DrawCache cache;
+        render::DrawList list =
+            view::build_draw_list(subject, options, camera.pose(double(width) / height), cache);
+        list.occlusion_radius *= 0.5f; // well below the margin
+        render::SceneRenderer renderer;
+        const auto draw = [&](const render::DrawList& what, int w, int h) {
+            const render::OffscreenTarget target(w, h, 2);
+            renderer.draw(what, target, 2);
+            return target.read_back();
+        };
+        const render::Image one = draw(list, width, height);
+        render::DrawList bare = list;
+        bare.occlusion_radius = 0;
+        CHECK(render::differing_share(one, draw(bare, width, height), 12) > 0.02); // there is shade at all
+        const view::PictureTile corner{0, 0, 150, 120};
+        const render::Image part = draw(view::list_of_tile(list, width, height, corner, margin),
+                                        corner.width + 2 * margin, corner.height + 2 * margin);
+        render::Image a{corner.width, corner.height, {}}, b = a;
+        for (int y = 0; y < corner.height; ++y)
+            for (int x = 0; x < 4 * corner.width; ++x) {
+                a.rgba.push_back(one.rgba[static_cast<std::size_t>(4 * y * width + x)]);
+                b.rgba.push_back(
+                    part.rgba[static_cast<std::size_t>(4 * ((y + margin) * part.width + margin) + x)]);
+            }
+        CHECK(render::differing_share(a, b, 24) < 0.02); // the spiral of its samples turns otherwise
+    }
+}
+
 TEST_CASE("A frame painter's steps give the picture of any size, with or without a background",
           "[output][picture]") {
     const render::OsmesaContext gl;

@@ -59,7 +59,8 @@ bool number(const EditorContext& context, const char* name, int& value, int low,
 
 // Folders alone are chosen here; what is in them shows what may be replaced.
 ExportDialog::ExportDialog()
-    : browser_({".png", ".gif", ".mp4", ".vtp", ".obj", ".csv", ".html", ".json", ".pvd"}) {}
+    : browser_({".png", ".gif", ".mp4", ".vtp", ".obj", ".csv", ".html", ".json", ".pvd"},
+               "No exports here") {}
 
 void ExportDialog::open(EditorContext& context) {
     ExportChoices& choices = context.state.exporting;
@@ -215,8 +216,8 @@ void ExportDialog::draw_kinds(EditorContext& context, ImVec2 size) {
             }
             record_item(std::string("export/kind/") + row.key);
             ImGui::PopID();
-            item_tooltip(std::string(chosen ? "" : row.help) + (reason.empty() ? "" : "
-Not now: " + reason + "."));
+            item_tooltip(std::string(chosen ? "" : row.help) +
+                         (reason.empty() ? "" : "\nNot now: " + reason + "."));
             ImDrawList& list = *ImGui::GetWindowDrawList();
             const ImU32 text = !reason.empty() ? theme.text_faint : theme.text;
             const float x = at.x + context.px(12), mark = context.px(22);

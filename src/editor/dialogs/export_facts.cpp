@@ -9,6 +9,7 @@
 #include <cctype>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 
 namespace fascicle::editor {
 
@@ -17,14 +18,19 @@ using output::ExportKind;
 
 namespace {
 
-/// Looking through $PATH once a second is enough.
+/// Looking through $PATH once a second, and when it has changed, is enough.
 bool has_encoder() {
     static std::chrono::steady_clock::time_point looked{};
+    static std::string looked_in;
     static bool found = false;
     const auto now = std::chrono::steady_clock::now();
-    if (looked == std::chrono::steady_clock::time_point{} || now - looked > std::chrono::seconds(1)) {
+    const char* path = std::getenv("PATH");
+    const std::string folders = path != nullptr ? path : "";
+    if (looked == std::chrono::steady_clock::time_point{} || folders != looked_in ||
+        now - looked > std::chrono::seconds(1)) {
         found = !find_video_encoder().empty();
         looked = now;
+        looked_in = folders;
     }
     return found;
 }

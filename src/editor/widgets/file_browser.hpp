@@ -17,7 +17,6 @@ public:
     bool draw(const EditorContext& context, ImVec2 size);
     /// Null path when none is chosen.
     const std::filesystem::path& chosen() const { return chosen_; }
-    /// The folder that is listed.
     /// The folder whose files are listed.
     const std::filesystem::path& folder() const { return folder_; }
     /// Whether the chosen file was double-clicked in the last draw().
