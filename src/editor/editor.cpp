@@ -319,6 +319,7 @@ void Editor::draw_tabs(EditorContext& context, const std::vector<const PanelRow*
         ImGui::PopFont();
         x = tab.max.x;
     }
+    panels_[front.id]->draw_strip(context, {{x, strip.min.y}, strip.max});
 }
 
 void Editor::write_picture() {

@@ -59,6 +59,8 @@ enum class Command {
     toggle_rest_ghost,
     toggle_joint_axis,
     next_colouring,
+    toggle_plots_over_view,
+    export_plots,
     toggle_full_screen,
     toggle_theme,
     larger_interface,

@@ -10,6 +10,7 @@ std::vector<KeyBinding> edit_commands();
 std::vector<KeyBinding> timeline_commands();
 std::vector<KeyBinding> view_commands();
 std::vector<KeyBinding> show_commands();
+std::vector<KeyBinding> plot_commands();
 std::vector<KeyBinding> window_commands();
 
 namespace keys {

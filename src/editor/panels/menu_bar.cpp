@@ -17,7 +17,7 @@ public:
     void draw(EditorContext& context, const Rect& area) override {
         if (!ImGui::BeginMenuBar())
             return;
-        menu(context, "File", {C::open_file, C::save_picture, C::save_picture_as}, {C::quit});
+        menu(context, "File", {C::open_file, C::save_picture, C::save_picture_as, C::export_plots}, {C::quit});
         menu(context, "Edit", {C::undo, C::redo}, {C::remove_selected, C::deselect});
         view_menu(context);
         menu(context, "Run", {C::run_again, C::cancel_run},
@@ -67,7 +67,7 @@ private:
         items(context, {C::hide_selected, C::hide_others, C::show_all});
         ImGui::Separator();
         items(context, {C::toggle_attachments, C::toggle_wireframe, C::toggle_rest_ghost,
-                        C::toggle_joint_axis, C::next_colouring});
+                        C::toggle_joint_axis, C::next_colouring, C::toggle_plots_over_view});
         ImGui::EndMenu();
     }
 

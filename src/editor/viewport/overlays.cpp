@@ -1,5 +1,6 @@
 #include "editor/viewport_tool.hpp"
 
+#include "editor/viewport/plots_over_view.hpp"
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/legend.hpp"
 #include "editor/widgets/paint.hpp"
@@ -117,6 +118,7 @@ const std::vector<OverlayRow>& viewport_overlays() {
         {"legend", draw_legends},
         {"state", draw_state},
         {"empty", draw_empty},
+        {"plots", draw_plots_over_view},
     };
     return rows;
 }

@@ -16,6 +16,8 @@ public:
     bool draw(const EditorContext& context, ImVec2 size);
     /// Null path when none is chosen.
     const std::filesystem::path& chosen() const { return chosen_; }
+    /// What is listed.
+    const std::filesystem::path& folder() const { return folder_; }
     /// Whether the chosen file was double-clicked in the last draw().
     bool confirmed() const { return confirmed_; }
 

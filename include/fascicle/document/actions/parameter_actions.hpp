@@ -14,6 +14,8 @@ bool commit_parameter(Document& document, std::string_view key);
 bool set_parameter(Document& document, std::string_view key, double value);
 bool reset_parameter(Document& document, std::string_view key);
 bool reset_all_parameters(Document& document);
+/// All values of another set, e.g. of an earlier run. name: of the step.
+bool set_all_parameters(Document& document, const ParamSet& parameters, const std::string& name);
 /// Switches between xpbd and classic; values that were not edited follow the method's defaults.
 bool set_method(Document& document, const std::string& method);
 
