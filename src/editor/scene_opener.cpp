@@ -16,6 +16,8 @@ struct SceneOpener::Job {
     bool done() const { return result.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
 };
 
+SceneOpener::SceneOpener() = default;
+
 SceneOpener::~SceneOpener() {
     cancel(); // the futures wait
 }

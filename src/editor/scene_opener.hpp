@@ -18,6 +18,7 @@ struct OpenedScene {
 
 class SceneOpener : public Feature {
 public:
+    SceneOpener();
     ~SceneOpener() override;
     /// A request under way is given up.
     void open(SceneRequest request);
