@@ -109,8 +109,16 @@ void Editor::handle_keys() {
         const KeyBinding* row = find_binding(press.chord, state_.tool == Tool::paint);
         if (row == nullptr || (press.repeat && !row->repeats))
             continue;
+        if (features_->paint.stroke_open() && row->command != Command::escape) {
+            if (row->command == Command::undo) { // takes back what is being painted
+                EditorContext c = context();
+                features_->paint_tool.cancel(c);
+            }
+            continue; // nothing else touches the scene before the button comes up
+        }
         if (row->command == Command::escape && document_.has_uncommitted_edits())
             ImGui::ClearActiveID(); // the drag ends here, whatever the mouse does
+        state_.last_command = static_cast<int>(row->command);
         run(row->command);
     }
 }

@@ -58,9 +58,10 @@ public:
     const Layout& layout() const { return layout_; } ///< of the last frame
     /// For tests: does what the row of the key table does.
     void run(Command command);
+    /// What panels and commands get.
+    EditorContext context();
 
 private:
-    EditorContext context();
     void handle_keys();
     void follow_run();
     void take_opened_scene();

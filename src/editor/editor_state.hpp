@@ -2,7 +2,9 @@
 // How the scene is looked at: selection, visibility, camera, playhead, colours. Never undone, never saved with
 // the scene.
 
+#include "editor/export_choices.hpp"
 #include "editor/layout.hpp"
+#include "editor/navigation.hpp"
 #include "editor/plot_state.hpp"
 #include "view/camera.hpp"
 #include "view/colouring.hpp"
@@ -36,11 +38,17 @@ enum class Tool { look, paint };
 /// What the ruler and the plots' axes show at a frame.
 enum class RulerUnit { frame, seconds, angle };
 
+/// What happens at the end of the frames that are played.
+enum class Repeat { once, loop, ping_pong };
+
 struct Playback {
     bool playing = false;
-    bool loop = true;
-    double speed = 1;    ///< times real time, > 0
-    double position = 0; ///< fractional frame; the playhead is its whole part
+    Repeat repeat = Repeat::loop;
+    double speed = 1;         ///< times real time, -4 to 4 but not 0; negative: backwards
+    bool every_frame = false; ///< leaves no frame out, however long that takes; otherwise real time
+    bool turned = false;      ///< ping-pong: on the way back
+    double position = 0;      ///< fractional frame; the playhead is its whole part
+    std::optional<std::pair<int, int>> range; ///< first and last frame that are played; none: all
     int playhead() const { return static_cast<int>(position); }
 };
 
@@ -50,8 +58,9 @@ struct EditorState {
     std::set<std::string> hidden; ///< names of bones and muscles
     view::Camera camera;
     std::array<std::optional<view::Camera>, 4> camera_slots;
-    bool frame_view_pending = true; ///< fill the view with the scene as soon as its size is known
-    double view_aspect = 1.5;       ///< width over height of the viewport
+    bool frame_view_pending = true;      ///< fill the view with the scene as soon as its size is known
+    double view_aspect = 1.5;            ///< width over height of the viewport
+    int view_width = 1, view_height = 1; ///< its size in pixels
 
     Playback playback;
     RulerUnit ruler = RulerUnit::frame;
@@ -78,7 +87,12 @@ struct EditorState {
     float scale = 1;       ///< of the interface
     float start_scale = 1; ///< what "normal" means
 
+    Navigation navigation = Navigation::fascicle;
+
     bool show_shortcuts = false;
+    bool presenting = false; ///< larger, full screen
+    int last_command = -1;   ///< Command that a key ran last, for tests and the status line; -1: none
+    ExportChoices exporting; ///< of the export dialog
 
     // Wishes to whoever owns the window.
     bool wants_quit = false;

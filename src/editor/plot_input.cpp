@@ -159,22 +159,12 @@ bool axis_of_angles(const EditorContext& context) {
     return context.state.ruler == RulerUnit::angle && context.document.scene().timeline.hinge.has_value();
 }
 
-PlotInput plot_input(const EditorContext& context, PlotData& data, const PlotRow& row, const Theme* theme) {
-    const Scene& scene = context.document.scene();
+void set_plot_axis(const EditorContext& context, const PlotData& data, PlotInput& input) {
     const bool angles = axis_of_angles(context);
-    const MetricRow& metric = metric_of(row);
-    PlotInput input;
-    input.title = row.title;
-    input.unit = metric.unit;
-    input.tooltip =
-        std::string(row.stages ? "Time of solving the frame, all muscles." : metric.meaning) +
-        (row.band[0] != 0 ? "\n" : "") + row.band +
-        "\nClick or drag moves the playhead, the wheel zooms x (Shift: y), a right drag zooms to a box, "
-        "Ctrl+drag or the middle button pans, double-click shows all, right click opens the menu.";
     input.x_label = axis_label(angles                                    ? RulerUnit::angle
                                : context.state.ruler == RulerUnit::angle ? RulerUnit::frame
                                                                          : context.state.ruler);
-    input.x_unit = context.state.ruler == RulerUnit::seconds ? frame_seconds(scene) : 1;
+    input.x_unit = context.state.ruler == RulerUnit::seconds ? frame_seconds(context.document.scene()) : 1;
     input.playhead = context.playhead();
     input.hover = context.state.hover_frame;
     input.last_frame = std::max(1, context.last_frame());
@@ -189,6 +179,45 @@ PlotInput plot_input(const EditorContext& context, PlotData& data, const PlotRow
         if (!data.planned().turns.empty())
             input.tooltip += "\nDotted: the way back.";
     }
+}
+
+PlotResult draw_shared_plot(EditorContext& context, PlotData& data, const char* id, const Rect& rect,
+                            const PlotInput& input) {
+    EditorState& state = context.state;
+    const auto y = state.plots.y.find(id);
+    const PlotResult result =
+        draw_plot(id, rect, input, plot_x(context, input), y == state.plots.y.end() ? nullptr : &y->second,
+                  state.plots.gesture, data.ink(), context.theme, context.scale());
+    if (result.moved_to) {
+        state.playback.playing = false;
+        context.move_playhead(static_cast<int>(*result.moved_to));
+    }
+    if (result.hovered)
+        state.next_hover_frame = result.hovered;
+    if (result.x)
+        set_plot_x(context, *result.x);
+    if (result.y)
+        state.plots.y[id] = *result.y;
+    if (result.fit) {
+        set_plot_x(context, input.x_limits);
+        state.plots.y.erase(id);
+    }
+    return result;
+}
+
+PlotInput plot_input(const EditorContext& context, PlotData& data, const PlotRow& row, const Theme* theme) {
+    const Scene& scene = context.document.scene();
+    const bool angles = axis_of_angles(context);
+    const MetricRow& metric = metric_of(row);
+    PlotInput input;
+    input.title = row.title;
+    input.unit = metric.unit;
+    input.tooltip =
+        std::string(row.stages ? "Time of solving the frame, all muscles." : metric.meaning) +
+        (row.band[0] != 0 ? "\n" : "") + row.band +
+        "\nClick or drag moves the playhead, the wheel zooms x (Shift: y), a right drag zooms to a box, "
+        "Ctrl+drag or the middle button pans, double-click shows all, right click opens the menu.";
+    set_plot_axis(context, data, input);
     input.reference = row.reference;
     input.least_span = row.least_span;
     const bool failed = context.runs.recording() != nullptr &&

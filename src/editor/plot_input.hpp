@@ -18,6 +18,12 @@ bool axis_of_angles(const EditorContext& context);
 PlotRange plot_x(const EditorContext& context, const PlotInput& input);
 void set_plot_x(EditorContext& context, const PlotRange& range);
 
+/// Axis of x, playhead and hover line, as in all plots. Curves of the motion as planned lie at input.frame_x.
+void set_plot_axis(const EditorContext& context, const PlotData& data, PlotInput& input);
+/// Draws with the shared range and the plot's own; playhead, hover line and ranges follow the pointer.
+PlotResult draw_shared_plot(EditorContext& context, PlotData& data, const char* id, const Rect& rect,
+                            const PlotInput& input);
+
 /// What is on the screen as a chart for files: same curves, same part, same axis.
 view::Chart plot_chart(const EditorContext& context, PlotData& data, const PlotRow& row, bool dark);
 

@@ -1,5 +1,7 @@
 #include "editor/scene_view.hpp"
 
+#include "editor/features.hpp"
+
 #include <algorithm>
 #include <chrono>
 
@@ -25,10 +27,18 @@ std::size_t count_vertices(const std::vector<std::vector<Attachment>>& lists) {
 } // namespace
 
 view::ViewSubject view_subject(const EditorContext& context) {
+    if (context.features.compare.active())
+        return context.features.compare.subject();
     const ShownFrame shown = context.shown();
-    if (shown.frame != nullptr)
-        return view::subject_of(*shown.recording, shown.frame->index);
-    return view::subject_of(context.document.head());
+    view::ViewSubject subject = shown.frame != nullptr
+                                    ? view::subject_of(*shown.recording, shown.frame->index)
+                                    : view::subject_of(context.document.head());
+    // Areas are those of the document, also while they are being painted, whatever the run was made with.
+    PaintMode& paint = context.features.paint;
+    subject.areas = paint.shown_areas(context);
+    subject.highlights = paint.highlights();
+    subject.marked = paint.marked_vertices(context);
+    return subject;
 }
 
 view::ViewOptions view_options(const EditorContext& context, const Scene& scene) {
@@ -38,7 +48,10 @@ view::ViewOptions view_options(const EditorContext& context, const Scene& scene)
         options.hidden_bones.push_back(!state.visible(bone.name));
     for (const Muscle& muscle : scene.muscles)
         options.hidden_muscles.push_back(!state.visible(muscle.name));
-    options.attachments = state.attachments;
+    const bool painting = state.tool == Tool::paint;
+    options.attachments = state.attachments || painting;
+    if (painting)
+        options.focus_bone = context.features.paint.bone(context);
     options.colouring = state.colouring;
     options.wireframe = state.wireframe;
     options.rest_ghost = state.rest_ghost;
@@ -47,6 +60,7 @@ view::ViewOptions view_options(const EditorContext& context, const Scene& scene)
         options.selected_bone = scene.bone_index(state.selection.name);
     if (state.selection.kind == Selection::Kind::muscle)
         options.selected_muscle = scene.muscle_index(state.selection.name);
+    context.features.compare.set_options(options);
     return options;
 }
 
@@ -55,8 +69,9 @@ SceneView::SceneView(bool best_quality) : best_quality_(best_quality) {}
 bool SceneView::same(const Key& a, const Key& b) {
     return a.scene == b.scene && a.frame == b.frame && a.attachment_count == b.attachment_count &&
            a.camera.view == b.camera.view && a.camera.projection == b.camera.projection &&
-           a.options == b.options && a.dark == b.dark && a.width == b.width && a.height == b.height &&
-           a.scale == b.scale;
+           a.compared == b.compared && a.areas == b.areas && a.highlights == b.highlights &&
+           a.marked == b.marked && a.options == b.options && a.dark == b.dark && a.width == b.width &&
+           a.height == b.height && a.scale == b.scale;
 }
 
 render::DrawList SceneView::build(const EditorContext& context, const view::ViewSubject& subject,
@@ -70,13 +85,21 @@ render::DrawList SceneView::build(const EditorContext& context, const view::View
 }
 
 unsigned SceneView::texture(const EditorContext& context, int width, int height) {
-    const view::ViewSubject subject = view_subject(context);
+    return texture(context, view_subject(context), width, height);
+}
+
+unsigned SceneView::texture(const EditorContext& context, const view::ViewSubject& subject, int width,
+                            int height) {
     const view::ViewOptions options = view_options(context, *subject.scene);
     const double aspect = double(width) / double(height);
     const EditorState& state = context.state;
     const Key key{subject.scene,
                   subject.frame,
                   count_vertices(subject.attachments),
+                  subject.areas,
+                  subject.highlights,
+                  subject.marked,
+                  subject.compared,
                   state.camera.pose(aspect),
                   options,
                   state.dark,
@@ -108,12 +131,29 @@ unsigned SceneView::texture(const EditorContext& context, int width, int height)
     return target->texture();
 }
 
-render::Image SceneView::picture(const EditorContext& context, int width, int height) {
-    const view::ViewSubject subject = view_subject(context);
+render::Image SceneView::image_of(const EditorContext& context, const view::ViewSubject& subject, int width,
+                                  int height) {
     const render::OffscreenTarget target(width, height, 2);
     const float scale = context.state.scale * 2;
     renderer_.draw(build(context, subject, double(width) / double(height)), target, scale);
     return target.read_back();
+}
+
+render::Image SceneView::picture(const EditorContext& context, int width, int height) {
+    const Compare& compare = context.features.compare;
+    if (!compare.active(CompareMode::side_by_side) || width < 2)
+        return image_of(context, view_subject(context), width, height);
+    const int left = width / 2;
+    const render::Image parts[] = {image_of(context, compare.subject(), left, height),
+                                   image_of(context, compare.subject(true), width - left, height)};
+    render::Image image{width, height, {}};
+    image.rgba.reserve(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    for (int y = 0; y < height; ++y)
+        for (const render::Image& part : parts) {
+            const auto row = part.rgba.begin() + std::ptrdiff_t{4} * part.width * y;
+            image.rgba.insert(image.rgba.end(), row, row + std::ptrdiff_t{4} * part.width);
+        }
+    return image;
 }
 
 } // namespace fascicle::editor

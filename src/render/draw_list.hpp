@@ -17,6 +17,21 @@ using Rgba = std::array<float, 4>;
 /// Column-major 4x4, as OpenGL and GLM store it.
 using Mat4f = std::array<float, 16>;
 
+/// Vertex colours that change while someone looks: the one array that is not immutable. Whoever changes entries raises the
+/// revision and says which, so that a renderer sends just those to the GPU. Changed and drawn on one thread.
+struct LiveColours {
+    struct Change {
+        std::uint64_t revision; ///< that the change made
+        std::size_t first, count;
+    };
+    static constexpr std::size_t kept_changes = 512;
+
+    std::vector<Rgba> colours;
+    std::uint64_t revision = 1;
+    std::vector<Change> changes;  ///< the latest, ascending; one that missed older ones takes the whole array
+    std::uint64_t known_from = 1; ///< changes after this revision are all in the list
+};
+
 /// A triangle surface. normals and colours: one per vertex or null. Without normals every triangle is flat.
 /// With vertex colours, of `colour` only alpha counts: it multiplies theirs.
 struct SurfaceItem {
@@ -25,6 +40,7 @@ struct SurfaceItem {
     std::shared_ptr<const std::vector<Vec3f>> normals;
     std::shared_ptr<const std::vector<std::array<std::uint32_t, 3>>> triangles;
     std::shared_ptr<const std::vector<Rgba>> vertex_colours; ///< null: colour
+    std::shared_ptr<const LiveColours> live_colours;         ///< in place of vertex_colours
     Rgba colour{0.8f, 0.8f, 0.8f, 1.0f};                     ///< alpha < 1 is drawn after the opaque items
     Mat4f model{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     float gloss = 0.2f;     ///< 0 chalk, 1 wet

@@ -65,6 +65,7 @@ void SceneRenderer::draw(const DrawList& list, const OffscreenTarget& target, fl
 void SceneRenderer::draw(const DrawList& list, int width, int height, float pixel_scale) {
     ++draws_;
     uploads_ = 0;
+    colours_sent_ = 0;
     const glm::mat4 projection = matrix(list.camera.projection);
     // The last row of a perspective matrix is (0, 0, -1, 0), of an orthographic one (0, 0, 0, 1).
     const Pass pass{matrix(list.camera.view),   projection,  static_cast<float>(width),
@@ -141,6 +142,7 @@ void SceneRenderer::draw_surface(const SurfaceItem& item, const Pass& pass) {
         entry.buffer = std::make_unique<MeshBuffer>();
     entry.last_drawn = draws_;
     uploads_ += entry.buffer->update(item);
+    colours_sent_ += entry.buffer->colours_sent();
 
     const glm::mat4 model_view = pass.view * matrix(item.model);
     const glm::mat3 linear(model_view);
@@ -152,7 +154,7 @@ void SceneRenderer::draw_surface(const SurfaceItem& item, const Pass& pass) {
     shader.set_mat4("projection", glm::value_ptr(pass.projection));
     shader.set_mat3("normal_matrix", glm::value_ptr(normal_matrix));
     shader.set("gloss", std::clamp(item.gloss, 0.0f, 1.0f));
-    shader.set("opacity", item.vertex_colours ? item.colour[3] : 1.0f);
+    shader.set("opacity", item.vertex_colours || item.live_colours ? item.colour[3] : 1.0f);
     shader.set("has_normals", item.normals ? 1 : 0);
     shader.set("orthographic", pass.orthographic ? 1 : 0);
     shader.set("front_sign", determinant < 0.0f ? -1.0f : 1.0f); // a mirrored copy keeps its outside

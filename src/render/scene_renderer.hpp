@@ -27,6 +27,8 @@ public:
 
     /// Arrays sent to the GPU by the last draw(): 0 when nothing but the camera changed.
     int uploads() const { return uploads_; }
+    /// Vertex colours among them: of live colours, those that changed.
+    std::size_t colours_sent() const { return colours_sent_; }
 
 private:
     struct Entry {
@@ -43,6 +45,7 @@ private:
     std::unordered_map<std::uint64_t, Entry> entries_; ///< by SurfaceItem.id
     std::uint64_t draws_ = 0;
     int uploads_ = 0;
+    std::size_t colours_sent_ = 0;
     unsigned empty_array_ = 0, line_array_ = 0, line_points_ = 0, line_colours_ = 0;
 };
 

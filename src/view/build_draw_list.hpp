@@ -16,11 +16,27 @@ struct ViewSubject {
     std::vector<std::vector<Attachment>> attachments;
     /// Fibres of the run, one a muscle, null or missing: none.
     std::vector<FibreModelPtr> fibres{};
+    /// Areas on bones; null: those stored in the scene.
+    ShownAreas areas{};
+    /// What a paint tool would change; null: nothing.
+    std::shared_ptr<const std::vector<BoneHighlight>> highlights{};
+    /// Muscle vertices to mark with dots; null: none.
+    struct MarkedVertices {
+        int muscle = -1;
+        std::vector<int> vertices;
+    };
+    std::shared_ptr<const MarkedVertices> marked{};
+    /// Of another run at the same frame, one a muscle of this scene with as many vertices; null or missing: none.
+    std::vector<PointsPtr> compared{};
 };
 /// A scene before any run.
 ViewSubject subject_of(ScenePtr scene);
 /// Frame k of a run, the last one when k is beyond it; at rest when there is no frame yet.
 ViewSubject subject_of(const Recording& recording, int k);
+
+/// How the muscles of another run are shown: not at all, translucent over these, as their edges over these, or by
+/// colouring these by the distance between the same vertices.
+enum class Compared { none, ghost, wire, difference };
 
 struct ViewOptions {
     /// By index of the scene's bones and muscles; missing entries are shown.
@@ -40,6 +56,10 @@ struct ViewOptions {
     bool line_muscles = true; ///< of the scene's model, as lines
     bool rest_ghost = false;  ///< muscles at rest, faint, behind those of a later frame
     bool wireframe = false;
+    int focus_bone = -1; ///< while it is painted: all else is faded; -1: none
+    Compared compared = Compared::none;
+    /// Distance to the other run, mm.
+    ColourScale difference_scale{ColourMap::viridis, 0.0, 5.0};
     float bone_opacity = 1.0f;
     float muscle_opacity = 1.0f;
     int selected_bone = -1, selected_muscle = -1; ///< drawn brighter; -1: none

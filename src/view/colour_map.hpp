@@ -50,7 +50,9 @@ inline constexpr Rgba attachment{0.95f, 0.66f, 0.15f, 1.0f}; ///< kind unknown
 inline constexpr Rgba joint_axis{0.10f, 0.45f, 0.30f, 1.0f};
 inline constexpr Rgba line_muscle{0.10f, 0.24f, 0.45f, 1.0f};
 inline constexpr Rgba fibre{0.55f, 0.12f, 0.14f, 1.0f};
+inline constexpr Rgba fixed_vertex{0.10f, 0.62f, 0.30f, 1.0f};
 inline constexpr Rgba ghost{0.45f, 0.48f, 0.55f, 0.25f};
+inline constexpr Rgba compared{0.00f, 0.45f, 0.70f, 0.45f}; ///< muscles of another run over those shown
 } // namespace palette
 
 } // namespace fascicle::view

@@ -6,6 +6,7 @@
 #include "fascicle/metrics/line_tracker.hpp"
 #include "fascicle/scene/recording.hpp"
 #include "render/draw_list.hpp"
+#include "view/area_marks.hpp"
 #include "view/attachment_marks.hpp"
 #include "view/bone_distance_cache.hpp"
 #include "view/colour_map.hpp"
@@ -44,6 +45,13 @@ public:
     /// Signed distance to the nearest bone, mm, through the scale. poses: one per bone of the scene.
     FloatColours depth_colours(const Scene& scene, std::size_t muscle, const PointsPtr& points,
                                const std::vector<Pose>& poses, const ColourScale& scale);
+    /// Of another run's muscle: its surface, its edges (two points each), and the distance of each vertex from `points` to its place
+    /// there, mm, through the scale.
+    SurfaceArrays compared_surface(std::size_t muscle, const MeshPtr& mesh, const PointsPtr& compared);
+    FloatPoints compared_edges(std::size_t muscle, const MeshPtr& mesh, const PointsPtr& compared);
+    FloatColours difference_colours(std::size_t muscle, const MeshPtr& mesh, const PointsPtr& points,
+                                    const PointsPtr& compared, double millimetres_per_unit,
+                                    const ColourScale& scale);
     /// The colour of each vertex's ContactState.
     FloatColours contact_colours(const Scene& scene, std::size_t muscle, const PointsPtr& points,
                                  const std::vector<Pose>& poses, const std::vector<Attachment>& attachments);
@@ -57,6 +65,13 @@ public:
 
     /// Segments of the scene's line muscles in a frame, null: at rest. The scene has some.
     FloatPoints line_paths(const ScenePtr& scene, const FramePtr& frame);
+
+    /// Areas of the scene as they are stored.
+    const ShownAreas& scene_areas(const ScenePtr& scene);
+    /// Colours and borders of the areas on a bone, over the bone's own colour. highlights: null for none.
+    const AreaMarks& bone_marks(std::size_t bone, const MeshPtr& mesh, const ShownAreas& areas,
+                                const std::shared_ptr<const std::vector<BoneHighlight>>& highlights,
+                                const render::Rgba& base);
 
     /// Box of all meshes of the scene at rest, shown or not.
     BoundingBox rest_bounds(const Scene& scene);
@@ -91,11 +106,27 @@ private:
         PointsPtr fibres_rest, fibres_points;
         std::optional<ColourScale> fibres_scale;
         BorderLines fibre_lines;
+        // of another run
+        PointsPtr compared_points, edges_points, difference_points, difference_compared;
+        SurfaceArrays compared;
+        FloatPoints compared_edges;
+        FloatColours difference_colours;
+        ColourScale difference_scale;
     };
     Object& object(std::vector<Object>& list, std::size_t index, const MeshPtr& mesh);
     const MeshTopology& topology(Object& object);
     void set_attachments(Object& object, const std::vector<Attachment>& attachments);
     SurfaceArrays make_surface(const Points& points, const TriMesh& mesh);
+
+    struct BoneMarks {
+        std::unique_ptr<AreaMarks> marks;
+        ShownAreas areas; ///< that the marks were made from, as the other two
+        std::shared_ptr<const std::vector<BoneHighlight>> highlights;
+        render::Rgba base{};
+    };
+    std::vector<BoneMarks> bone_marks_;
+    ScenePtr areas_scene_;
+    ShownAreas scene_areas_;
 
     std::vector<Object> bones_, muscles_;
     std::unique_ptr<LineTracker> lines_;

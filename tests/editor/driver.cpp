@@ -1,12 +1,14 @@
 #include "editor/driver.hpp"
 
 #include <catch2/catch.hpp>
+#include <tuple>
 
 namespace fascicle::test {
 
 namespace ed = fascicle::editor;
 
-Driver::Driver(Scene scene, float width, float height, float scale, bool still)
+Driver::Driver(Scene scene, float width, float height, float scale, bool still,
+               std::filesystem::path user_folder)
     : width_(width), height_(height), host_(scale) {
     const auto start = [this](ScenePtr head) -> std::unique_ptr<ed::Run> {
         auto run = std::make_unique<HandRun>(std::move(head));
@@ -15,7 +17,7 @@ Driver::Driver(Scene scene, float width, float height, float scale, bool still)
         return run;
     };
     editor_ = std::make_unique<ed::Editor>(host_, Document(std::move(scene)), start,
-                                           ed::EditorOptions{true, still});
+                                           ed::EditorOptions{true, still, std::move(user_folder)});
     ed::set_item_recorder(&recorder_);
 }
 
@@ -110,6 +112,18 @@ void Driver::key(int code, ed::Modifiers modifiers) {
         if (used)
             send(key, false, {});
     frame();
+}
+
+void Driver::hold(ed::Modifiers modifiers) {
+    const std::tuple<bool, bool, int> keys[] = {{held_.ctrl, modifiers.ctrl, ed::key_left_ctrl},
+                                                {held_.shift, modifiers.shift, ed::key_left_shift},
+                                                {held_.alt, modifiers.alt, ed::key_left_alt}};
+    held_ = modifiers;
+    for (const auto& [was, is, key] : keys)
+        if (was != is) {
+            editor_->input().key(key, is, modifiers);
+            frame();
+        }
 }
 
 void Driver::type(const std::string& text) {

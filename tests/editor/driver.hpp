@@ -1,6 +1,7 @@
 #pragma once
 // Drives the editor like a person would, without a window: moves, clicks, drags and types at widgets found by name.
 
+#include "editor/commands.hpp"
 #include "editor/editor.hpp"
 #include "editor/hand_run.hpp"
 #include "editor/widgets/item_recorder.hpp"
@@ -12,7 +13,7 @@ namespace fascicle::test {
 class Driver {
 public:
     explicit Driver(Scene scene = small_scene(), float width = 1280, float height = 800, float scale = 1,
-                    bool still = true);
+                    bool still = true, std::filesystem::path user_folder = {});
     ~Driver();
 
     void frame(int count = 1);
@@ -33,8 +34,14 @@ public:
     void drag(ImVec2 from, ImVec2 to, int button = 0);
     void wheel(const std::string& name, float steps);
     void key(int code, editor::Modifiers modifiers = {});
+    /// Holds these keys down from now on, and no others.
+    void hold(editor::Modifiers modifiers);
     void type(const std::string& text);
 
+    /// Of a row of the key table, now.
+    editor::CommandState command_state(editor::Command command) {
+        return editor::command_state(editor_->context(), command);
+    }
     editor::Editor& editor() { return *editor_; }
     editor::EditorState& state() { return editor_->state(); }
     Document& document() { return editor_->document(); }
@@ -48,6 +55,7 @@ private:
     editor::ItemRecorder recorder_;
     HandRun* run_ = nullptr;
     int runs_started_ = 0;
+    editor::Modifiers held_{};
     std::unique_ptr<editor::Editor> editor_;
 };
 

@@ -6,12 +6,15 @@
 namespace fascicle::editor {
 
 std::vector<KeyBinding> file_commands();
+std::vector<KeyBinding> export_commands();
 std::vector<KeyBinding> edit_commands();
 std::vector<KeyBinding> timeline_commands();
 std::vector<KeyBinding> view_commands();
 std::vector<KeyBinding> show_commands();
 std::vector<KeyBinding> plot_commands();
+std::vector<KeyBinding> paint_commands();
 std::vector<KeyBinding> window_commands();
+std::vector<KeyBinding> compare_commands();
 
 namespace keys {
 constexpr Modifiers ctrl{.ctrl = true};

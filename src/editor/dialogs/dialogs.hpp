@@ -1,20 +1,28 @@
 #pragma once
 // All dialogs of the editor; EditorContext knows only that there are some.
 
+#include "editor/dialogs/command_search.hpp"
+#include "editor/dialogs/export_dialog.hpp"
 #include "editor/dialogs/mesh_dialog.hpp"
 #include "editor/dialogs/picture_dialog.hpp"
 #include "editor/dialogs/plot_export_dialog.hpp"
 #include "editor/dialogs/plot_overlay_dialog.hpp"
+#include "editor/dialogs/run_dialog.hpp"
 
 namespace fascicle::editor {
 
 struct Dialogs {
+    CommandSearch search;
     MeshDialog mesh;
     PictureDialog picture;
+    RunDialog run;
+    ExportDialog exporting;
     PlotExportDialog plot_export;
     PlotOverlayDialog plot_overlay;
 
-    std::vector<Dialog*> all() { return {&mesh, &picture, &plot_export, &plot_overlay}; }
+    std::vector<Dialog*> all() {
+        return {&search, &mesh, &picture, &run, &exporting, &plot_export, &plot_overlay};
+    }
 };
 
 } // namespace fascicle::editor

@@ -17,11 +17,17 @@ public:
     void draw(EditorContext& context, const Rect& area) override {
         if (!ImGui::BeginMenuBar())
             return;
-        menu(context, "File", {C::open_file, C::save_picture, C::save_picture_as, C::export_plots}, {C::quit});
-        menu(context, "Edit", {C::undo, C::redo}, {C::remove_selected, C::deselect});
+        menu(context, "File",
+             {C::open_file, C::save_picture, C::save_picture_as, C::export_run, C::export_plots}, {C::quit});
+        menu(context, "Edit", {C::undo, C::redo}, {C::paint_mode, C::remove_selected, C::deselect});
         view_menu(context);
         menu(context, "Run", {C::run_again, C::cancel_run},
-             {C::play_pause, C::step_back, C::step_on, C::first_frame, C::last_frame, C::toggle_loop});
+             {C::play_pause, C::step_back, C::step_on, C::first_frame, C::last_frame, C::toggle_loop,
+              C::toggle_ping_pong, C::toggle_every_frame, C::add_marker, C::previous_marker, C::next_marker});
+        menu(context, "Compare",
+             {C::toggle_compare, C::compare_side_by_side, C::compare_ghost, C::compare_blink,
+              C::compare_difference},
+             {C::blink_runs, C::swap_runs, C::load_run});
         window_menu(context);
         draw_title(context, area);
         ImGui::EndMenuBar();
@@ -80,9 +86,16 @@ private:
         ImGui::MenuItem("Plots and messages", nullptr, &sizes.show_bottom);
         ImGui::Separator();
         items(context, {C::toggle_theme, C::larger_interface, C::smaller_interface, C::normal_interface,
-                        C::toggle_full_screen});
+                        C::toggle_full_screen, C::present});
         ImGui::Separator();
-        items(context, {C::show_shortcuts});
+        for (const NavigationRow& row : navigations) {
+            if (ImGui::MenuItem(row.label, nullptr, context.state.navigation == row.navigation))
+                context.state.navigation = row.navigation;
+            record_item(std::string("menu/mouse/") + row.key);
+            item_tooltip(row.help);
+        }
+        ImGui::Separator();
+        items(context, {C::search_commands, C::show_shortcuts});
         ImGui::EndMenu();
     }
 

@@ -177,7 +177,7 @@ void draw_plot_strip(EditorContext& context, const Rect& strip) {
     if (strip.width() < width)
         return;
     ImGui::SetCursorScreenPos({strip.max.x - width, strip.min.y + context.px(2)});
-    popup_button(context, "plots/choose", icons::curves, "Which plots are shown", false, draw_choice);
+    popup_button(context, "plots/choose", icons::line_chart, "Which plots are shown", false, draw_choice);
     const std::size_t kept = context.metrics.earlier().size();
     popup_button(
         context, "plots/kept", icons::history,

@@ -91,25 +91,7 @@ private:
         PlotData& data = context.features.plots;
         PlotInput input = plot_input(context, data, row);
         input.maximised = state.plots.maximised == row.id;
-        const auto y = state.plots.y.find(row.id);
-        const PlotRange x = plot_x(context, input);
-        const PlotResult result =
-            draw_plot(row.id, rect, input, x, y == state.plots.y.end() ? nullptr : &y->second,
-                      state.plots.gesture, data.ink(), context.theme, context.scale());
-        if (result.moved_to) {
-            state.playback.playing = false;
-            context.move_playhead(static_cast<int>(*result.moved_to));
-        }
-        if (result.hovered)
-            state.next_hover_frame = result.hovered;
-        if (result.x)
-            set_plot_x(context, *result.x);
-        if (result.y)
-            state.plots.y[row.id] = *result.y;
-        if (result.fit) {
-            set_plot_x(context, input.x_limits);
-            state.plots.y.erase(row.id);
-        }
+        const PlotResult result = draw_shared_plot(context, data, row.id, rect, input);
         if (result.maximise)
             state.plots.maximised = input.maximised ? "" : row.id;
         if (result.toggled >= 0)

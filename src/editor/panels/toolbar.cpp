@@ -121,7 +121,7 @@ private:
     }
 
     static std::string running_text(const EditorContext& context, const std::string& stage) {
-        const int count = context.runs.valid_count();
+        const int count = context.runs.recording()->frame_count();
         if (count > 1)
             return "Solving frame " + std::to_string(count) + " of " + std::to_string(context.last_frame());
         return stage.empty() || stage == "prepare" || stage == "solve" ? "Preparing the run"

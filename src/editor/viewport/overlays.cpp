@@ -1,6 +1,9 @@
 #include "editor/viewport_tool.hpp"
 
+#include "editor/features.hpp"
+#include "editor/viewport/compare_overlay.hpp"
 #include "editor/viewport/plots_over_view.hpp"
+#include "editor/viewport/recording_badge.hpp"
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/legend.hpp"
 #include "editor/widgets/paint.hpp"
@@ -30,6 +33,11 @@ std::vector<LegendEntry> attachment_entries(const EditorContext& context) {
             insertion |= attachment.kind == AttachmentKind::insertion;
             unknown |= attachment.kind == AttachmentKind::unknown;
         }
+    for (const Muscle& muscle : context.document.scene().muscles)
+        for (const AttachmentArea& area : muscle.areas) {
+            origin |= area.kind == AttachmentKind::origin;
+            insertion |= area.kind == AttachmentKind::insertion;
+        }
     std::vector<LegendEntry> entries;
     if (origin)
         entries.push_back({"Origin", packed(view::palette::origin)});
@@ -41,8 +49,8 @@ std::vector<LegendEntry> attachment_entries(const EditorContext& context) {
 }
 
 void draw_legends(EditorContext& context, ImDrawList& list, const Rect& area) {
-    if (area.height() < context.px(240))
-        return;
+    if (area.height() < context.px(240) || context.features.compare.active(CompareMode::difference))
+        return; // the difference map has a legend of its own
     const ImVec2 corner{area.max.x - context.px(12), area.min.y + context.px(12)};
     std::vector<LegendEntry> entries;
     switch (context.state.colouring) {
@@ -73,6 +81,8 @@ void draw_legends(EditorContext& context, ImDrawList& list, const Rect& area) {
 
 /// A sentence when what is seen is not the computed frame at the playhead.
 void draw_state(EditorContext& context, ImDrawList& list, const Rect& area) {
+    if (context.features.compare.active())
+        return; // labels of their own
     const ImVec2 at{area.min.x + area.width() / 2, area.min.y + context.px(12)};
     const Theme& theme = context.theme;
     const ShownFrame shown = context.shown();
@@ -118,6 +128,8 @@ const std::vector<OverlayRow>& viewport_overlays() {
         {"legend", draw_legends},
         {"state", draw_state},
         {"empty", draw_empty},
+        {"compare", draw_compare_overlay},
+        {"recording", draw_recording_badge},
         {"plots", draw_plots_over_view},
     };
     return rows;

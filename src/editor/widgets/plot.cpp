@@ -141,7 +141,7 @@ PlotResult draw_plot(const char* id, const Rect& rect, const PlotInput& input, c
     ImGui::PushID(id);
     const Header header = draw_title(list, rect, input, theme, scale);
     float top = header.bottom, right = rect.max.x - pad;
-    if (!input.compact) {
+    if (!input.compact && input.maximisable) {
         draw_maximise(list, id, {{right - row, top - row}, {right, top}}, input, theme, result);
         right -= row + pad;
     }

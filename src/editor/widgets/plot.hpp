@@ -68,6 +68,7 @@ struct PlotInput {
     std::optional<double> reference; ///< a dashed line at this value, e.g. 1 for a ratio
     double least_span = 1e-6;        ///< noise below this is not blown up to full height
     std::string empty_text;          ///< shown without curves
+    bool maximisable = true;         ///< it has a button that shows it alone
     bool maximised = false;          ///< it is shown alone
     bool compact = false;            ///< over the view: translucent, takes no pointer
 };

@@ -1,4 +1,4 @@
-#include "app/cli/pictures.hpp"
+#include "output/run_pictures.hpp"
 
 #include "fascicle/base/assert.hpp"
 #include "fascicle/io/png.hpp"
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numbers>
 
-namespace fascicle::app {
+namespace fascicle::output {
 
 namespace {
 
@@ -129,12 +129,18 @@ int Pictures::muscle_pixels(int frame, const view::Camera& camera, int size) {
     return pixels;
 }
 
-render::Image Pictures::draw(int frame, int width, int height) {
-    const double aspect = double(width) / height;
+view::Camera Pictures::camera(double aspect) const {
     view::Camera camera = camera_;
     camera.frame(box_, aspect);
-    const render::DrawList list =
-        view::build_draw_list(view::subject_of(recording_, frame), view_, camera.pose(aspect), cache_);
+    return camera;
+}
+
+render::Image Pictures::draw(int frame, int width, int height) {
+    const double aspect = double(width) / height;
+    render::DrawList list = view::build_draw_list(view::subject_of(recording_, frame), view_,
+                                                  camera(aspect).pose(aspect), cache_);
+    if (transparent_)
+        list.background_top[3] = list.background_bottom[3] = 0;
     return renderer_.draw(list, width, height);
 }
 
@@ -157,4 +163,4 @@ void write_run_pictures(const Recording& recording, const std::filesystem::path&
     write_picture(folder / "film_strip.png", render::film_strip(strip));
 }
 
-} // namespace fascicle::app
+} // namespace fascicle::output
