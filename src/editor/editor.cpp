@@ -104,6 +104,12 @@ void Editor::handle_keys() {
             ImGui::ClosePopupToLevel(0, true);
             continue;
         }
+        // Esc closes a menu or a popup before it does anything else.
+        if (!modal && press.chord.key == key_escape && !ImGui::GetIO().WantTextInput &&
+            ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) {
+            ImGui::ClosePopupToLevel(0, true);
+            continue;
+        }
         if (modal || ImGui::GetIO().WantTextInput)
             continue; // the keys belong to the text
         const KeyBinding* row = find_binding(press.chord, state_.tool == Tool::paint);

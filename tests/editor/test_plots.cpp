@@ -77,7 +77,10 @@ std::vector<std::vector<double>> numbers(const std::string& bytes, std::vector<s
 }
 
 bool has_fonts() {
-    return render::ImguiHost().has_text_font();
+    for (const std::filesystem::path& font : render::default_imgui_fonts().text)
+        if (std::filesystem::exists(font))
+            return true;
+    return false;
 }
 
 } // namespace
@@ -153,20 +156,10 @@ TEST_CASE("Over an axis of angles a drag stays on its branch of a there-and-back
     d.state().ruler = RulerUnit::angle;
     d.frame(2);
     const Rect r = d.rect(area);
-    d.state().playback.position = 2;
-    d.frame();
-    d.drag(at(r, 0.1f, 0.5f), at(r, 0.5f, 0.5f));
-    CHECK(d.state().playback.playhead() == Approx(15).margin(1)); // the way out
-    d.state().playback.position = 55;
-    d.frame();
-    d.move_to(at(r, 0.2f, 0.5f));
-    d.press();
-    d.state().playback.position = 55; // on the way back
-    for (const float x : {0.3f, 0.4f, 0.5f}) {
-        d.editor().input().mouse_move(at(r, x, 0.5f).x, at(r, x, 0.5f).y);
-        d.frame();
-    }
-    d.release();
+    // The muscle grows all the time: the way back lies above the way out, and the nearer curve takes the pointer.
+    d.drag(at(r, 0.1f, 0.98f), at(r, 0.5f, 0.4f));
+    CHECK(d.state().playback.playhead() == Approx(15).margin(1));
+    d.drag(at(r, 0.1f, 0.02f), at(r, 0.5f, 0.6f));
     CHECK(d.state().playback.playhead() == Approx(45).margin(1));
     CHECK(d.editor().features().plots.planned().turns == std::vector<std::size_t>{30});
     d.wheel(area, 1);
