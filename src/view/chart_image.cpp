@@ -2,19 +2,11 @@
 
 #include "fascicle/base/error.hpp"
 #include "render/imgui_host.hpp"
+#include "render/text_raster.hpp"
 #include "view/chart_painter.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
-
-#define STB_TRUETYPE_IMPLEMENTATION
-#define STBTT_STATIC
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#include <stb_truetype.h>
-#pragma GCC diagnostic pop
 
 namespace fascicle::view {
 
@@ -22,51 +14,10 @@ namespace {
 
 using render::Rgba;
 
-class Font {
-public:
-    explicit Font(const std::vector<std::filesystem::path>& candidates) {
-        for (const std::filesystem::path& path : candidates) {
-            std::ifstream in(path, std::ios::binary);
-            bytes_.assign(std::istreambuf_iterator<char>(in), {});
-            const auto* data = reinterpret_cast<const unsigned char*>(bytes_.data());
-            if (!bytes_.empty() && stbtt_InitFont(&info_, data, stbtt_GetFontOffsetForIndex(data, 0)) != 0) {
-                ready_ = true;
-                return;
-            }
-        }
-    }
-    bool ready() const { return ready_; }
-    const stbtt_fontinfo& info() const { return info_; }
-
-private:
-    std::string bytes_;
-    stbtt_fontinfo info_{};
-    bool ready_ = false;
-};
-
-/// Code points of UTF-8; what is none becomes '?'.
-std::vector<int> code_points(const std::string& text) {
-    std::vector<int> points;
-    for (std::size_t i = 0; i < text.size();) {
-        const auto c = static_cast<unsigned char>(text[i]);
-        const std::size_t length = c < 0x80 ? 1 : c >= 0xf0 ? 4 : c >= 0xe0 ? 3 : c >= 0xc0 ? 2 : 0;
-        if (length == 0 || i + length > text.size()) {
-            points.push_back('?');
-            ++i;
-            continue;
-        }
-        int code = length == 1 ? c : c & (0xff >> (length + 1));
-        for (std::size_t j = 1; j < length; ++j)
-            code = code << 6 | (static_cast<unsigned char>(text[i + j]) & 0x3f);
-        points.push_back(code);
-        i += length;
-    }
-    return points;
-}
-
 class PixelCanvas : public ChartCanvas {
 public:
-    PixelCanvas(int width, int height, double scale, const Font& text, const Font& bold)
+    PixelCanvas(int width, int height, double scale, const render::TextRaster& text,
+                const render::TextRaster& bold)
         : scale_(scale), text_(text), bold_(bold) {
         image.width = static_cast<int>(std::lround(width * scale));
         image.height = static_cast<int>(std::lround(height * scale));
@@ -127,8 +78,8 @@ private:
     void stroke_piece(ScreenPoint a, ScreenPoint b, double width);
 
     double scale_;
-    const Font& text_;
-    const Font& bold_;
+    const render::TextRaster& text_;
+    const render::TextRaster& bold_;
     std::vector<float> cover_; ///< 0 outside of what is being painted
     int clip_x0_ = 0, clip_y0_ = 0, clip_x1_ = 0, clip_y1_ = 0;
     int dirty_x0_ = 1 << 30, dirty_y0_ = 1 << 30, dirty_x1_ = 0, dirty_y1_ = 0;
@@ -246,42 +197,21 @@ void PixelCanvas::stroke_line(const std::vector<ScreenPoint>& points, const Stro
 
 void PixelCanvas::text(ScreenPoint at, double size, const std::string& what, Anchor anchor, bool bold,
                        const Rgba& fill) {
-    const Font& font = bold && bold_.ready() ? bold_ : text_;
-    const stbtt_fontinfo& info = font.info();
-    const float factor = stbtt_ScaleForMappingEmToPixels(&info, static_cast<float>(size * scale_));
-    const std::vector<int> codes = code_points(what);
-    const auto advance = [&](std::size_t i) {
-        int wide = 0, bearing = 0;
-        stbtt_GetCodepointHMetrics(&info, codes[i], &wide, &bearing);
-        if (i + 1 < codes.size())
-            wide += stbtt_GetCodepointKernAdvance(&info, codes[i], codes[i + 1]);
-        return double(factor) * wide;
-    };
-    double width = 0;
-    for (std::size_t i = 0; i < codes.size(); ++i)
-        width += advance(i);
-    double x = at.x * scale_ - (anchor == Anchor::end ? width : anchor == Anchor::middle ? width / 2 : 0);
-    const double y = std::round(at.y * scale_);
-    for (std::size_t i = 0; i < codes.size(); ++i) {
-        int w = 0, h = 0, dx = 0, dy = 0;
-        const double whole = std::floor(x);
-        unsigned char* const glyph = stbtt_GetCodepointBitmapSubpixel(
-            &info, factor, factor, static_cast<float>(x - whole), 0, codes[i], &w, &h, &dx, &dy);
-        for (int r = 0; r < h; ++r)
-            for (int c = 0; c < w; ++c) {
-                const int px = static_cast<int>(whole) + dx + c, py = static_cast<int>(y) + dy + r;
-                if (px < clip_x0_ || py < clip_y0_ || px >= clip_x1_ || py >= clip_y1_)
-                    continue;
-                float& cover = cover_[std::size_t(py) * std::size_t(image.width) + std::size_t(px)];
-                cover = std::max(cover, static_cast<float>(glyph[r * w + c]) / 255.0f);
-                dirty_x0_ = std::min(dirty_x0_, px);
-                dirty_x1_ = std::max(dirty_x1_, px + 1);
-                dirty_y0_ = std::min(dirty_y0_, py);
-                dirty_y1_ = std::max(dirty_y1_, py + 1);
-            }
-        stbtt_FreeBitmap(glyph, nullptr);
-        x += advance(i);
-    }
+    const render::TextRaster& font = bold && bold_.ready() ? bold_ : text_;
+    const double pixels = size * scale_, width = font.width(what, pixels);
+    const double x = at.x * scale_ - (anchor == Anchor::end      ? width
+                                      : anchor == Anchor::middle ? width / 2
+                                                                 : 0);
+    font.draw(what, pixels, x, std::round(at.y * scale_), [&](int px, int py, float covered) {
+        if (px < clip_x0_ || py < clip_y0_ || px >= clip_x1_ || py >= clip_y1_)
+            return;
+        float& cover = cover_[std::size_t(py) * std::size_t(image.width) + std::size_t(px)];
+        cover = std::max(cover, covered);
+        dirty_x0_ = std::min(dirty_x0_, px);
+        dirty_x1_ = std::max(dirty_x1_, px + 1);
+        dirty_y0_ = std::min(dirty_y0_, py);
+        dirty_y1_ = std::max(dirty_y1_, py + 1);
+    });
     paint(fill);
 }
 
@@ -289,7 +219,7 @@ void PixelCanvas::text(ScreenPoint at, double size, const std::string& what, Anc
 
 render::Image chart_image(const Chart& chart, int width, int height, double scale, bool dark) {
     const render::ImguiFonts fonts = render::default_imgui_fonts();
-    const Font text(fonts.text), bold(fonts.headings);
+    const render::TextRaster text(fonts.text), bold(fonts.headings);
     if (!text.ready())
         throw_error("picture of a plot", "no font was found for its text", "Roboto; an SVG needs none");
     PixelCanvas canvas(std::max(120, width), std::max(80, height), std::clamp(scale, 1.0, 4.0), text, bold);

@@ -112,7 +112,7 @@ TEST_CASE("The wheel zooms x about the pointer, Shift and the wheel zoom y, a do
     CHECK(d.state().plot_range == PlotRange{0, 60});
 }
 
-TEST_CASE("Ctrl and a drag, or the middle button, pan; up and down only when meant", "[editor][plots]") {
+TEST_CASE("Ctrl and a drag, or the middle button, pan, up and down only when meant", "[editor][plots]") {
     Driver d;
     run_through(d);
     d.wheel(area, 4);
@@ -366,7 +366,7 @@ TEST_CASE("When a plot cannot be written the dialog says so and offers another n
     CHECK_FALSE(d.editor().dialogs().plot_export.is_open());
 }
 
-TEST_CASE("A csv is laid over a plot, in frames, seconds or degrees; what is none is refused",
+TEST_CASE("A csv is laid over a plot, in frames, seconds or degrees, and what is none is refused",
           "[editor][plots]") {
     const test::TempDir folder;
     write_file(folder.path() / "measured.csv", "frame,mean,upper\n0,1,1.1\n30,1.05,\n60,1.02,1.2\n");

@@ -12,7 +12,7 @@ std::vector<KeyBinding> plot_commands() {
         {C::toggle_plots_over_view,
          plots,
          "Plots over the view",
-         "One or two plots in the lower left corner of the view.",
+         "One or two plots in the lower right corner of the view.",
          {},
          false,
          [](const EditorContext& c) { return checked(c.state.plots.over_view); },

@@ -108,7 +108,7 @@ void draw_over_view(EditorContext& context) {
     PlotsState& plots = context.state.plots;
     ImGui::TextDisabled("Plots over the view");
     box("plots/over_view/on", "Show", plots.over_view,
-        "One or two plots in the lower left corner of the view.");
+        "One or two plots in the lower right corner of the view.");
     for (std::size_t i = 0; i < plots.chosen.size(); ++i) {
         const PlotRow* chosen = find_plot_row(plots.chosen[i]);
         const std::string name = "plots/over_view/" + std::to_string(i);
@@ -232,7 +232,7 @@ void draw_plot_menu(EditorContext& context, const PlotRow& row, std::uint64_t ru
     if (line(alone ? "Show all plots" : "Show this plot alone"))
         plots.maximised = alone ? "" : row.id;
     const bool over = plots.over_view && (plots.chosen[0] == row.id || plots.chosen[1] == row.id);
-    if (line("Over the view", over, true, "Lies over the lower left corner of the view.")) {
+    if (line("Over the view", over, true, "Lies over the lower right corner of the view.")) {
         for (std::string& chosen : plots.chosen)
             if (chosen == row.id)
                 chosen.clear();

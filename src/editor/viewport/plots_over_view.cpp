@@ -22,8 +22,8 @@ void draw_plots_over_view(EditorContext& context, ImDrawList& list, const Rect& 
         if (row == nullptr || std::find(rows.begin(), rows.end(), row) == rows.end() ||
             bottom - height < area.min.y + context.px(40))
             continue;
-        const Rect rect{{area.min.x + context.px(12), bottom - height},
-                        {area.min.x + context.px(12) + width, bottom}};
+        const Rect rect{{area.max.x - context.px(12) - width, bottom - height},
+                        {area.max.x - context.px(12), bottom}};
         list.AddRectFilled(rect.min, rect.max, context.theme.badge, context.px(6));
         PlotInput input = plot_input(context, data, *row);
         input.compact = true;

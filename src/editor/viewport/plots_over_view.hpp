@@ -1,5 +1,5 @@
 #pragma once
-// One or two plots in the lower left corner of the view.
+// One or two plots in the lower right corner of the view.
 
 #include "editor/viewport_tool.hpp"
 

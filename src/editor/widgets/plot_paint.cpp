@@ -22,7 +22,7 @@ void draw_grid(ImDrawList& list, const PlotAxes& axes, const PlotInput& input, c
     if (!input.compact)
         list.AddRectFilled(area.min, area.max, theme.plot);
     const Ticks rows =
-        nice_ticks(axes.y0, axes.y1, std::max(1, static_cast<int>(area.height() / (line_height * 1.9f))));
+        nice_ticks(axes.y0, axes.y1, std::max(2, static_cast<int>(area.height() / (line_height * 1.9f))));
     for (int i = 0; i < rows.count; ++i) {
         const float y = std::round(axes.y(rows.at(i)));
         list.AddLine({area.min.x, y}, {area.max.x, y}, theme.grid);
@@ -209,7 +209,7 @@ void draw_bundle(ImDrawList& list, const char* id, const PlotAxes& axes, const P
         ink.place = place;
         ink.lines = bundle_lines(axes, bundle, 0, (bundle.count + most_lines - 1) / most_lines);
     }
-    const float alpha = std::clamp(6.0f / std::sqrt(float(bundle.count)), 0.22f, 0.6f);
+    const float alpha = std::clamp(2.5f / std::sqrt(float(bundle.count)), 0.1f, 0.5f);
     for (const std::vector<ImVec2>& line : ink.lines)
         list.AddPolyline(line.data(), static_cast<int>(line.size()), with_alpha(bundle.colour, alpha), 0,
                          std::max(1.0f, 0.7f * scale));
@@ -354,8 +354,15 @@ void paint_plot(ImDrawList& list, const char* id, const PlotAxes& axes, const Pl
         if (!curve.ghost && !curve.hidden)
             draw_band(list, axes, curve);
     for (const PlotCurve& curve : input.curves)
-        if (!curve.ghost && !curve.hidden)
+        if (!curve.ghost && !curve.hidden) {
+            if (!input.bundles.empty() && curve.style == LineStyle::solid && curve.width > 0) {
+                PlotCurve halo = curve; // so that the mean stands out of its fibres
+                halo.colour = theme.plot;
+                halo.width = curve.width + 2.4f;
+                draw_line(list, axes, halo, scale);
+            }
             draw_line(list, axes, curve, scale);
+        }
     draw_end_names(list, axes, input.curves, theme, line, scale);
     if (input.hover) {
         const float x = std::round(axes.x(frame_position(input, *input.hover)));
