@@ -279,7 +279,7 @@ view::Chart plot_chart(const EditorContext& context, PlotData& data, const PlotR
     return chart;
 }
 
-std::string parameter_differences(const ParamSet& kept, const ParamSet& now, std::size_t most) {
+std::string differing_parameters(const ParamSet& kept, const ParamSet& now, std::size_t most) {
     std::string text;
     std::size_t count = 0;
     for (const ParamRow& row : kept.table().rows()) {

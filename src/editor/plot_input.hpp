@@ -29,6 +29,6 @@ view::Chart plot_chart(const EditorContext& context, PlotData& data, const PlotR
 
 /// "Edge stiffness 0.9, now 0.5", a line each, of the parameters that differ; at most `most` lines and a last one that says how
 /// many more. Empty when all are equal.
-std::string parameter_differences(const ParamSet& kept, const ParamSet& now, std::size_t most = 8);
+std::string differing_parameters(const ParamSet& kept, const ParamSet& now, std::size_t most = 8);
 
 } // namespace fascicle::editor

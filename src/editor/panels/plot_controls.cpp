@@ -94,7 +94,7 @@ void draw_kept(EditorContext& context) {
                         side))
             removed = run.id;
         const std::string differs =
-            parameter_differences(run.scene->parameters, context.document.scene().parameters, 2);
+            differing_parameters(run.scene->parameters, context.document.scene().parameters, 2);
         ImGui::Indent(context.px(34));
         ImGui::TextDisabled("%s", differs.empty() ? "the same parameters as now" : differs.c_str());
         ImGui::Unindent(context.px(34));
@@ -160,7 +160,7 @@ std::vector<std::string> shown_plots(const EditorContext& context) {
 
 std::string kept_run_text(const EditorContext& context, const MetricValues& run) {
     const std::string differs =
-        parameter_differences(run.scene->parameters, context.document.scene().parameters);
+        differing_parameters(run.scene->parameters, context.document.scene().parameters);
     return run.name + (run.pinned ? " (kept)" : "") + "\n" +
            (differs.empty() ? "Made with the parameters of now." : differs);
 }

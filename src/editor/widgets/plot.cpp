@@ -32,7 +32,15 @@ std::vector<LegendItem> legend_items(const PlotInput& input, double frame, float
         values += fixed_width + (items.back().value.empty() ? 0 : gap + text_size(items.back().value).x);
         longest = std::max(longest, text_size(curve.name).x);
     }
-    const float room = width - values;
+    float room = width - values;
+    if (room < 2 * fixed_width * static_cast<float>(items.size())) { // many curves: names before numbers
+        room = width - fixed_width * static_cast<float>(items.size());
+        for (LegendItem& item : items)
+            if (items.size() > 2)
+                item.value.clear();
+        if (items.size() <= 2)
+            room = width - values;
+    }
     for (float limit = longest; limit > 0; limit -= 4) {
         float sum = 0;
         for (const LegendItem& item : items)
@@ -52,6 +60,7 @@ void draw_legend(const char* id, const Rect& row, const PlotInput& input, double
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float swatch = std::round(9 * scale), gap = 6 * scale, between = 12 * scale;
     float x = row.min.x;
+    list.PushClipRect(row.min, row.max, true);
     for (const LegendItem& item : legend_items(input, frame, row.width(), swatch + gap + between, gap)) {
         const PlotCurve& curve = input.curves[item.curve];
         const float name_width = text_size(item.name).x, value_width = text_size(item.value).x;
@@ -85,6 +94,7 @@ void draw_legend(const char* id, const Rect& row, const PlotInput& input, double
         ImGui::PopID();
         x += between;
     }
+    list.PopClipRect();
 }
 
 struct Header {
@@ -150,7 +160,7 @@ PlotResult draw_plot(const char* id, const Rect& rect, const PlotInput& input, c
                                  [](const PlotCurve& curve) { return curve.in_legend && !curve.ghost; });
     if (any) {
         // Where height is scarce and width is not, the legend shares the title's row.
-        const bool beside = rect.height() < 150 * scale && right - header.end > 90 * scale;
+        const bool beside = rect.height() < 150 * scale && right - header.end > 140 * scale;
         const Rect place = beside ? Rect{{header.end + 12 * scale, top - row}, {right, top}}
                                   : Rect{{rect.min.x + pad, top}, {rect.max.x - pad, top + row}};
         draw_legend(id, place, input, shown_at, theme, scale, result);
