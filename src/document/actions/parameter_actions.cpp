@@ -62,10 +62,6 @@ bool reset_all_parameters(Document& document) {
     return replace(document, default_parameters(), "Reset all parameters");
 }
 
-bool set_all_parameters(Document& document, const ParamSet& parameters, const std::string& name) {
-    return replace(document, parameters, name);
-}
-
 bool set_method(Document& document, const std::string& method) {
     ParamSet changed = document.scene().parameters;
     fascicle::set_method(changed, method);
