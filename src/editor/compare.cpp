@@ -188,7 +188,7 @@ void Compare::resolve(const EditorContext& context) {
         const bool others = std::any_of(shelf.runs().begin(), shelf.runs().end(),
                                         [&](const KeptRun& run) { return run.recording != a; });
         pair_reason_ = others ? "no other run has the same muscles"
-                              : "there is no other run yet: change a parameter, or load a run folder";
+                              : "there is no other run yet; change a parameter or load a run folder";
     } else if (a == b) {
         pair_reason_ = "A and B are the same run";
     } else {

@@ -106,6 +106,12 @@ void Editor::handle_keys() {
             ImGui::ClosePopupToLevel(0, true);
             continue;
         }
+        // Esc closes a menu or a popup before it does anything else.
+        if (!modal && press.chord.key == key_escape && !ImGui::GetIO().WantTextInput &&
+            ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) {
+            ImGui::ClosePopupToLevel(0, true);
+            continue;
+        }
         if (modal || ImGui::GetIO().WantTextInput)
             continue; // the keys belong to the text
         const KeyBinding* row = find_binding(press.chord, state_.tool == Tool::paint);
@@ -311,8 +317,11 @@ void Editor::draw_tabs(EditorContext& context, const std::vector<const PanelRow*
         }
         tabs.push_back(std::move(tab));
     }
-    if (const int clicked = draw_tab_strip(context, host_.heading_font(), tabs, active, strip); clicked >= 0)
+    float end = strip.max.x;
+    if (const int clicked = draw_tab_strip(context, host_.heading_font(), tabs, active, strip, end);
+        clicked >= 0)
         front_panel(front.place) = rows[static_cast<std::size_t>(clicked)]->id;
+    panels_[front.id]->draw_strip(context, {{end, strip.min.y}, strip.max});
 }
 
 void Editor::write_picture() {

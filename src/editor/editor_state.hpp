@@ -5,6 +5,7 @@
 #include "editor/export_choices.hpp"
 #include "editor/layout.hpp"
 #include "editor/navigation.hpp"
+#include "editor/plot_state.hpp"
 #include "editor/section.hpp"
 #include "editor/widgets/plot.hpp"
 #include "view/camera.hpp"
@@ -70,6 +71,7 @@ struct EditorState {
     PlotRange plot_range{0, 1};
     double plot_range_for = 0; ///< last frame that plot_range was made for
     std::set<std::string> hidden_curves;
+    PlotsState plots;
 
     std::optional<FibreRef> hover_fibre;      ///< under the pointer, in a plot or in the view
     std::optional<FibreRef> next_hover_fibre; ///< set by panels, shown in the next frame

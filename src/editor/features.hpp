@@ -7,6 +7,7 @@
 #include "editor/file_loader.hpp"
 #include "editor/motion_edit.hpp"
 #include "editor/paint/paint_tool.hpp"
+#include "editor/plot_data.hpp"
 #include "editor/presets/preset_store.hpp"
 #include "editor/run_shelf.hpp"
 #include "editor/scene_opener.hpp"
@@ -30,10 +31,11 @@ struct Features {
     FibreHover fibre_hover;
     FileLoader loader;
     MotionEdit motion;
+    PlotData plots;
 
     std::vector<Feature*> all() {
-        return {&settings,    &opener, &paint,  &shelf,  &compare, &exporter,
-                &fibre_hover, &loader, &motion, &fibres, &presets, &lessons};
+        return {&settings, &opener, &paint,  &shelf,   &compare, &exporter, &fibre_hover,
+                &loader,   &motion, &fibres, &presets, &lessons, &plots};
     }
 };
 

@@ -83,6 +83,8 @@ enum class Command {
     toggle_section,
     flip_section,
     show_display,
+    toggle_plots_over_view,
+    export_plots,
     toggle_full_screen,
     toggle_theme,
     larger_interface,

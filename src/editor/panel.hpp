@@ -14,6 +14,8 @@ public:
     virtual ~Panel() = default;
     /// Draws into the current ImGui window, which fills `area` (pixels). Called only while visible.
     virtual void draw(EditorContext& context, const Rect& area) = 0;
+    /// Controls in the rest of the tab strip, while in front.
+    virtual void draw_strip(EditorContext&, const Rect&) {}
 };
 
 /// Where a panel sits. Panels of one place share it as tabs.

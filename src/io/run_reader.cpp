@@ -188,6 +188,9 @@ FibreModelPtr read_fibres(const fs::path& path, const TriMesh& surface) {
 
 void RunReader::read_rest() {
     auto scene = std::make_shared<Scene>(*scene_);
+    // Which way the joint goes decides the sign of moment arms.
+    for (std::size_t k = 0; k < angles_.size(); ++k)
+        scene->timeline.angles.push_back({static_cast<double>(k), angles_[k]});
     for (Muscle& muscle : scene->muscles) {
         const fs::path path = folder_ / io::frame_file(muscle.name, 0);
         MeshData data = read_vtp_file(path);

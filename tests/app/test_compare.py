@@ -19,7 +19,7 @@ class CompareTest(ProgramTest):
             return list(csv.DictReader(file))
 
     def points(self, run, frame):
-        """Positions of the strap in a frame, from the ascii or binary-free part of the vtp that every reader knows."""
+        """Positions of the strap in a frame, from the text of its file."""
         text = (self.folder / run / "frames" / f"strap.{frame:04d}.vtp").read_text()
         body = re.search(r"<Points>\s*<DataArray[^>]*>(.*?)</DataArray>", text, re.S).group(1)
         numbers = [float(x) for x in body.split()]
@@ -55,6 +55,24 @@ class CompareTest(ProgramTest):
             self.assertAlmostEqual(float(row["b_minus_a_volume_ratio"]),
                                    float(b[k]["volume_ratio"]) - float(a[k]["volume_ratio"]), places=6)
         self.assertNotIn("b_minus_a_solve_ms", rows[0])
+
+    def test_moment_arms_have_the_sign_of_the_runs(self):
+        source, _ = write_scene(self.folder / "scene")
+        source[source.index("--angle-deg") + 1] = "-20"  # flexion as in LPS data
+        for name, stiffness in (("a", "0.9"), ("b", "0.1")):
+            self.check_done("simulate", *source, "--export", "vtp", "--threads", "1", "--quiet", "--out", name, "--set",
+                            "fibres.method=kukacka", "--set", "fibres.count=8", "--set", f"solver.stiffness={stiffness}")
+        self.check_done("compare", "a", "b", "--out", "out", "--quiet")
+        tables = []
+        for name in ("a", "b"):
+            with open(self.folder / name / "metrics.csv", newline="") as file:
+                tables.append(list(csv.DictReader(file)))
+        largest = 0
+        for row, a, b in zip(self.rows(), *tables):
+            expected = float(b["moment_arm_mean_mm"]) - float(a["moment_arm_mean_mm"])
+            self.assertAlmostEqual(float(row["b_minus_a_moment_arm_mean_mm"]), expected, places=2)
+            largest = max(largest, abs(expected))
+        self.assertGreater(largest, 0.1)
 
     def test_a_run_against_itself(self):
         self.simulate("a")

@@ -217,3 +217,47 @@ TEST_CASE("Outlines become areas in one step", "[document][areas]") {
           Approx(0.5 * (20 + 18) * 12).epsilon(0.07));
     CHECK(steps(with) == 2);
 }
+
+TEST_CASE("A stroke takes vertices that another tool found, with locks, mirror and a name of its own",
+          "[document][areas]") {
+    Document document = two_plates();
+    BoneSurfaces surfaces;
+    const MeshPtr mesh = document.scene().bones[1].mesh;
+    actions::set_area(document, origin, SurfaceRegion(mesh->vertex_count(), std::vector<int>{3, 4, 5}));
+    actions::StrokeOptions options;
+    options.what = "Lasso";
+    options.locked = {origin};
+    AreaKey left = insertion;
+    left.bone = 0;
+    options.mirror = actions::StrokeMirror{left, {}, 5};
+    AreaStroke stroke(document, surfaces, insertion, options);
+    CHECK(stroke.touch({1, 2, 3, 4, 8}, {6, 7}) == std::vector<int>{1, 2, 8});
+    CHECK(stroke.touch({1, 2, 9}, {}) == std::vector<int>{9});
+    CHECK(stroke.finish());
+    CHECK(document.history().undo_name() == "Lasso insertion, gluteus");
+    CHECK(painted(document, insertion).vertices() == std::vector<int>{1, 2, 8, 9});
+    CHECK(painted(document, left).vertices() == std::vector<int>{6, 7});
+    CHECK(painted(document, origin).size() == 3);
+}
+
+TEST_CASE("A head goes with all its areas, given attachments give way to areas", "[document][areas]") {
+    Document document = two_plates();
+    const int count = document.scene().bones[1].mesh->vertex_count();
+    AreaKey of_head = insertion;
+    of_head.head = "long";
+    actions::set_area(document, insertion, SurfaceRegion(count, std::vector<int>{1}));
+    actions::set_area(document, of_head, SurfaceRegion(count, std::vector<int>{2}));
+    const std::size_t before = steps(document);
+    CHECK_FALSE(actions::remove_head(document, 0, "short"));
+    CHECK(steps(document) == before);
+    CHECK(actions::remove_head(document, 0, "long"));
+    CHECK(document.history().undo_name() == "Remove head long, gluteus");
+    CHECK(document.scene().muscles[0].areas.size() == 1);
+    CHECK_FALSE(actions::drop_fixed_attachments(document, 0));
+    document.edit().muscles[0].attachments = {{AttachmentKind::origin, 0, {0}}};
+    document.commit("Given");
+    CHECK(actions::drop_fixed_attachments(document, 0));
+    CHECK(document.scene().muscles[0].attachments.empty());
+    CHECK(document.undo());
+    CHECK(document.scene().muscles[0].attachments.size() == 1);
+}

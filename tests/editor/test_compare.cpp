@@ -414,8 +414,10 @@ TEST_CASE("The picture shows A and B as each way of comparing says", "[editor][c
     go_to(d, 60);
     const int width = static_cast<int>(d.rect("viewport").width());
     std::map<std::string, render::Image> images;
+    const view::Camera camera = d.state().camera;
     const auto take = [&](const std::string& name) {
         d.frame(2);
+        d.state().camera = camera; // two pictures side by side are framed anew
         const test::TempDir folder;
         d.state().wants_picture = folder.path() / "view.png";
         d.frame();
@@ -479,6 +481,7 @@ TEST_CASE("A run folder is loaded, kept and compared", "[editor][compare][ui]") 
     REQUIRE(run != nullptr);
     CHECK(run->name == "stored");
     CHECK(run->pinned);
+    CHECK(run->recording->scene().timeline.angle_rad(8) == Approx(scene->timeline.angle_rad(8)));
     d.click("compare/run/" + std::to_string(run->id) + "/b");
     wait(d);
     CHECK(compare(d).reason().empty());

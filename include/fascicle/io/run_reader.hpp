@@ -12,7 +12,8 @@ namespace fascicle {
 bool is_run_folder(const std::filesystem::path& path);
 
 /// The scene comes from the folder alone: muscles from their rest frames, bones from bones/, attachments from the frames'
-/// arrays, angles, poses and times of solving from the tables, notes from the summary. It has no timeline to run again, and its sources are only named.
+/// arrays, angles, poses and times of solving from the tables, notes from the summary. Its timeline has the angles and moves no bone, and its
+/// sources are only named.
 class RunReader {
 public:
     /// Reads everything but the frames' positions. Error naming the file for what is missing or bad.

@@ -12,6 +12,7 @@ std::vector<KeyBinding> edit_commands();
 std::vector<KeyBinding> timeline_commands();
 std::vector<KeyBinding> view_commands();
 std::vector<KeyBinding> show_commands();
+std::vector<KeyBinding> plot_commands();
 std::vector<KeyBinding> paint_commands();
 std::vector<KeyBinding> display_commands();
 std::vector<KeyBinding> window_commands();

@@ -7,6 +7,8 @@
 #include "editor/dialogs/mesh_dialog.hpp"
 #include "editor/dialogs/pick_file_dialog.hpp"
 #include "editor/dialogs/picture_dialog.hpp"
+#include "editor/dialogs/plot_export_dialog.hpp"
+#include "editor/dialogs/plot_overlay_dialog.hpp"
 #include "editor/dialogs/run_dialog.hpp"
 
 namespace fascicle::editor {
@@ -19,8 +21,12 @@ struct Dialogs {
     PickFileDialog pick;
     RunDialog run;
     ExportDialog exporting;
+    PlotExportDialog plot_export;
+    PlotOverlayDialog plot_overlay;
 
-    std::vector<Dialog*> all() { return {&search, &mesh, &picture, &run, &exporting, &load, &pick}; }
+    std::vector<Dialog*> all() {
+        return {&search, &mesh, &picture, &run, &exporting, &load, &pick, &plot_export, &plot_overlay};
+    }
 };
 
 } // namespace fascicle::editor

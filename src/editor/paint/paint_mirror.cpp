@@ -9,9 +9,17 @@ namespace {
 /// Bones of the two sides are no exact images of each other.
 constexpr double reach_mm = 15;
 
+/// Middle of the bone's box. Asked for every frame while the panel is open, so those of the last meshes are kept.
 Vec3 middle(const Bone& bone) {
+    static std::vector<std::pair<std::weak_ptr<const TriMesh>, Vec3>>
+        known; // of the one thread of the interface
+    std::erase_if(known, [](const auto& entry) { return entry.first.expired(); });
+    for (const auto& [mesh, place] : known)
+        if (mesh.lock() == bone.mesh)
+            return place;
     const BoundingBox box = bounding_box(bone.mesh->positions, bone.mesh->triangles);
-    return 0.5 * (box.min + box.max);
+    known.emplace_back(bone.mesh, 0.5 * (box.min + box.max));
+    return known.back().second;
 }
 
 } // namespace

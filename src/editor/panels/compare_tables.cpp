@@ -62,7 +62,17 @@ void draw_distances(EditorContext& context) {
     const Theme& theme = context.theme;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     ImGui::Dummy({1, context.px(2)});
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
     draw_compare_heading(context, "Distance A to B [mm]");
+    if (compare.progress() < 1) { // over the heading's line, so that nothing below moves
+        char text[40];
+        std::snprintf(text, sizeof text, " %.0f %% compared", 100 * compare.progress());
+        const Rect place{{at.x + width - text_size(text).x, at.y}, {at.x + width, at.y + context.px(22)}};
+        list.AddRectFilled(place.min, place.max, theme.panel);
+        draw_text_in(list, place, theme.text_dim, text, Align::right);
+        record_item("compare/progress", place);
+    }
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     draw_distance_header(context);
     const FrameDifference* now = compare.at_playhead();
@@ -95,12 +105,6 @@ void draw_distances(EditorContext& context) {
         line.end();
     }
     ImGui::PopStyleVar();
-    if (compare.progress() < 1) {
-        char text[60];
-        std::snprintf(text, sizeof text, "Comparing frames, %.0f %%", 100 * compare.progress());
-        draw_compare_text(theme.text_faint, text);
-        record_item("compare/progress");
-    }
     if (compare.a().ended || compare.b().ended)
         draw_compare_text(theme.warning, "Frame " + std::to_string(compare.a().frame->index) +
                                              " of A against frame " +

@@ -1,9 +1,8 @@
 #include "editor/panels/panels.hpp"
 
 #include "editor/features.hpp"
-#include "editor/frame_axis.hpp"
+#include "editor/plot_input.hpp"
 #include "editor/widgets/item_recorder.hpp"
-#include "editor/widgets/plot.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -145,7 +144,6 @@ private:
                          const Rect& rect) {
         EditorState& state = context.state;
         const Compare& compare = context.features.compare;
-        const Scene& scene = context.document.scene();
         const int metric = row.key == nullptr ? -1 : metric_index(row.key);
         PlotInput input;
         input.title = row.title;
@@ -155,12 +153,12 @@ private:
                               "dashed: the largest."
                             : metric_table()[static_cast<std::size_t>(metric)].meaning + "\nRun B, " +
                                   compare.b().name + ", minus run A, " + compare.a().name + ".";
-        input.tooltip += "\nClick moves the playhead, wheel zooms, Ctrl+drag pans, double-click shows all.";
-        input.x_label = axis_label(state.ruler);
-        input.x_text = [&](double frame) { return frame_text(scene, state.ruler, frame); };
-        input.playhead = context.playhead();
-        input.hover = state.hover_frame;
-        input.last_frame = std::max(1, context.last_frame());
+        input.tooltip +=
+            "\nClick moves the playhead, the wheel zooms x (Shift: y), a right drag zooms to a box, "
+            "Ctrl+drag pans, double-click shows all.";
+        PlotData& data = context.features.plots;
+        set_plot_axis(context, data, input);
+        input.maximisable = false;
         if (metric >= 0)
             input.reference = 0.0;
         input.least_span = row.least_span;
@@ -174,9 +172,13 @@ private:
                 curve.colour = curve_colour(context.theme, muscle.a);
                 curve.y = curves[i];
                 curve.hidden = state.hidden_curves.count(muscle.name) != 0;
-                curve.dashed = i % per_muscle == 1;
-                if (curve.dashed)
-                    curve.name.clear(); // the line of the muscle has it
+                curve.x = input.frame_x;
+                curve.turns = input.frame_turns;
+                if (i % per_muscle == 1) { // the line of the muscle has the name
+                    curve.style = LineStyle::dashed;
+                    curve.width = 1.3f;
+                    curve.in_legend = false;
+                }
                 input.curves.push_back(std::move(curve));
             }
         const auto [name, share] = compare.measuring();
@@ -184,14 +186,7 @@ private:
         std::snprintf(text, sizeof text, "Measuring %s, %.0f %%", name.c_str(), 100 * share);
         input.empty_text = metric >= 0 && !name.empty() ? text : "No common frames yet";
 
-        const PlotResult result =
-            draw_plot(row.id, rect, input, state.plot_range, context.theme, context.scale());
-        if (result.moved_to) {
-            state.playback.playing = false;
-            context.move_playhead(static_cast<int>(*result.moved_to));
-        }
-        if (result.hovered)
-            state.next_hover_frame = result.hovered;
+        const PlotResult result = draw_shared_plot(context, data, row.id, rect, input);
         const auto name_of = [&](int curve) {
             return muscles[static_cast<std::size_t>(curve) / per_muscle].name;
         };

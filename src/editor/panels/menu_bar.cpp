@@ -18,7 +18,8 @@ public:
     void draw(EditorContext& context, const Rect& area) override {
         if (!ImGui::BeginMenuBar())
             return;
-        menu(context, "File", {C::open_file, C::save_picture, C::save_picture_as, C::export_run}, {C::quit});
+        menu(context, "File",
+             {C::open_file, C::save_picture, C::save_picture_as, C::export_run, C::export_plots}, {C::quit});
         menu(context, "Edit", {C::undo, C::redo}, {C::paint_mode, C::remove_selected, C::deselect});
         menu(context, "Scene",
              {C::open_file, C::load_attachments, C::load_surface_fibres, C::load_fibre_template,
@@ -77,8 +78,9 @@ private:
         ImGui::Separator();
         items(context, {C::hide_selected, C::hide_others, C::show_all});
         ImGui::Separator();
-        items(context, {C::toggle_attachments, C::toggle_wireframe, C::toggle_rest_ghost,
-                        C::toggle_joint_axis, C::toggle_fibres, C::toggle_line_muscles, C::next_colouring});
+        items(context,
+              {C::toggle_attachments, C::toggle_wireframe, C::toggle_rest_ghost, C::toggle_joint_axis,
+               C::toggle_fibres, C::toggle_line_muscles, C::toggle_plots_over_view, C::next_colouring});
         ImGui::Separator();
         items(context, {C::toggle_see_through, C::toggle_occlusion, C::toggle_section, C::flip_section,
                         C::show_display});

@@ -1,100 +1,76 @@
 #include "editor/panels/panels.hpp"
 
-#include "editor/frame_axis.hpp"
-#include "editor/widgets/plot.hpp"
-#include "fascicle/metrics/line_series.hpp"
+#include "editor/features.hpp"
+#include "editor/panels/plot_controls.hpp"
+#include "editor/widgets/tool_button.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <limits>
 
 namespace fascicle::editor {
 
 namespace {
 
-/// In the legend, and in EditorState::hidden_curves.
-constexpr const char* all_lines = "line muscles";
-
-/// A plot: a metric, and the metrics that make its band.
-struct PlotRow {
-    const char* id;
-    const char* key;
-    const char* title;
-    const char* low_key; ///< null: no band
-    const char* high_key;
-    std::optional<double> reference;
-    double least_span;
-    bool of_fibres = false; ///< shown where a run has fibres, or the scene line muscles
-    std::vector<double> LineSeries::*of_lines = nullptr; ///< what line muscles have of it
-};
-
-const std::vector<PlotRow>& plot_rows() {
-    static const std::vector<PlotRow> rows{
-        {"plot/volume_ratio", "volume_ratio", "Volume ratio", nullptr, nullptr, 1.0, 0.002},
-        {"plot/edge_extension", "edge_extension_mean", "Mean edge extension", "edge_extension_p10",
-         "edge_extension_p90", 1.0, 0.01},
-        {"plot/dihedral_change", "dihedral_change_mean_rad", "Mean dihedral change", nullptr, nullptr,
-         std::nullopt, 0.01},
-        {"plot/fibre_length", "fibre_length_mean_mm", "Fibre length", "fibre_length_p5_mm",
-         "fibre_length_p95_mm", std::nullopt, 1.0, true, &LineSeries::lengths_mm},
-        {"plot/moment_arm", "moment_arm_mean_mm", "Moment arm", "moment_arm_p5_mm", "moment_arm_p95_mm", 0.0,
-         1.0, true, &LineSeries::moment_arms_mm},
-    };
-    return rows;
-}
-
-/// One value per frame of one muscle.
-std::vector<double> series(const MetricValues& values, std::size_t muscle, const char* key) {
-    std::vector<double> result;
-    const int row = key == nullptr ? -1 : metric_index(key);
-    if (row < 0)
-        return result;
-    for (const auto& frame : values.rows)
-        result.push_back(muscle < frame.size() ? frame[muscle][static_cast<std::size_t>(row)]
-                                               : std::numeric_limits<double>::quiet_NaN());
-    return result;
-}
-
-/// Whether the values shown, or those of an earlier run, are of fibres.
-bool has_fibres(const EditorContext& context) {
-    const int row = metric_index("fibre_length_mean_mm");
-    const auto any = [&](const MetricValues& values) {
-        return !values.rows.empty() &&
-               std::any_of(values.rows[0].begin(), values.rows[0].end(),
-                           [&](const std::vector<double>& muscle) {
-                               return std::isfinite(muscle[static_cast<std::size_t>(row)]);
-                           });
-    };
-    return any(context.metrics.current()) ||
-           std::any_of(context.metrics.earlier().begin(), context.metrics.earlier().end(), any);
+/// Columns in which `count` plots have the most room for their curves, each about twice as wide as high.
+int best_columns(int count, float width, float height, float scale) {
+    int best = 1;
+    float score = -1e9f;
+    for (int columns = 1; columns <= count; ++columns) {
+        const int lines = (count + columns - 1) / columns;
+        const float w = width / static_cast<float>(columns) / scale,
+                    h = std::max(96.0f, height / static_cast<float>(lines) / scale);
+        const float header = h < 150 && w > 260 ? 21.0f : 40.0f;
+        float room = std::min(w - 66, 2 * (h - header - 24));
+        if (static_cast<float>(lines) * h > height / scale + 1)
+            room *= 0.5f; // it would have to be scrolled
+        if (room > score + 0.5f) {
+            score = room;
+            best = columns;
+        }
+    }
+    return best;
 }
 
 class Plots : public Panel {
 public:
+    void draw_strip(EditorContext& context, const Rect& strip) override { draw_plot_strip(context, strip); }
+
     void draw(EditorContext& context, const Rect& area) override {
-        std::vector<PlotRow> rows = plot_rows();
-        follow_lines(context.document.head());
-        if (!has_fibres(context) && lines_.muscles.empty())
-            std::erase_if(rows, [](const PlotRow& row) { return row.of_fibres; });
         follow_timeline(context);
-        const int columns =
-            std::clamp(static_cast<int>(area.width() / context.px(225)), 1, static_cast<int>(rows.size()));
-        const int lines = (static_cast<int>(rows.size()) + columns - 1) / columns;
-        const float height = std::max(context.px(140), area.height() / static_cast<float>(lines));
-        const float width = area.width() / static_cast<float>(columns);
+        PlotsState& plots = context.state.plots;
+        std::vector<const PlotRow*> rows = context.features.plots.rows(context);
+        if (std::none_of(rows.begin(), rows.end(),
+                         [&](const PlotRow* row) { return plots.maximised == row->id; }))
+            plots.maximised.clear();
+        std::erase_if(rows, [&](const PlotRow* row) {
+            return plots.maximised.empty() ? plots.hidden.count(row->id) != 0 : plots.maximised != row->id;
+        });
         const ImVec2 origin = ImGui::GetCursorScreenPos(); // moves with scrolling
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            const auto column = static_cast<float>(static_cast<int>(i) % columns),
-                       line = static_cast<float>(static_cast<int>(i) / columns);
-            const Rect rect{{std::round(origin.x + column * width), origin.y + line * height},
-                            {std::round(origin.x + (column + 1) * width), origin.y + (line + 1) * height}};
-            if (column > 0)
-                ImGui::GetWindowDrawList()->AddLine({rect.min.x, rect.min.y + context.px(8)},
-                                                    {rect.min.x, rect.max.y - context.px(8)},
-                                                    context.theme.line);
-            draw_one(context, rows[i], rect);
+        if (rows.empty()) {
+            draw_text_in(*ImGui::GetWindowDrawList(), area, context.theme.text_faint,
+                         "All plots are hidden; choose some with the button above", Align::centre);
+            return;
         }
+        const int count = static_cast<int>(rows.size());
+        const int columns = best_columns(count, area.width(), area.height(), context.scale());
+        const int lines = (count + columns - 1) / columns;
+        const float height = std::max(context.px(96), area.height() / static_cast<float>(lines));
+        const float width = area.width() / static_cast<float>(columns);
+        for (int i = 0; i < count; ++i) {
+            const auto column = static_cast<float>(i % columns), row = static_cast<float>(i / columns);
+            const Rect rect{
+                {std::round(origin.x + column * width), std::round(origin.y + row * height)},
+                {std::round(origin.x + (column + 1) * width), std::round(origin.y + (row + 1) * height)}};
+            ImDrawList& list = *ImGui::GetWindowDrawList();
+            if (column > 0)
+                list.AddLine({rect.min.x, rect.min.y + context.px(8)},
+                             {rect.min.x, rect.max.y - context.px(8)}, context.theme.line);
+            if (row > 0 && column == 0)
+                list.AddLine({rect.min.x + context.px(8), rect.min.y},
+                             {origin.x + area.width() - context.px(8), rect.min.y}, context.theme.line);
+            draw_one(context, *rows[static_cast<std::size_t>(i)], rect);
+        }
+        draw_menu(context);
         ImGui::SetCursorScreenPos(origin);
         ImGui::Dummy({1, height * static_cast<float>(lines) - 1});
     }
@@ -106,115 +82,47 @@ private:
         if (state.plot_range_for != context.last_frame()) {
             state.plot_range_for = context.last_frame();
             state.plot_range = {0, double(std::max(1, context.last_frame()))};
-        }
-    }
-
-    /// Line muscles go as the motion is planned, so their curves are there before any run.
-    void follow_lines(const ScenePtr& scene) {
-        if (scene == lines_scene_)
-            return;
-        lines_scene_ = scene;
-        lines_ = line_series(*scene);
-    }
-
-    /// One entry of the legend stands for all of them.
-    void add_line_curves(const EditorContext& context, const PlotRow& row, PlotInput& input) const {
-        const std::size_t muscles = lines_.muscles.size();
-        if (row.of_lines == nullptr || muscles == 0)
-            return;
-        const auto at = static_cast<std::size_t>(std::max(0.0, std::round(context.playhead())));
-        const bool hidden = context.state.hidden_curves.count(all_lines) != 0;
-        PlotCurve entry;
-        entry.name = all_lines;
-        entry.colour = context.theme.text_faint;
-        entry.hidden = hidden;
-        input.curves.push_back(entry);
-        input.tooltip += "\nDashed: line muscles of the model.";
-        for (std::size_t m = 0; m < muscles; ++m) {
-            PlotCurve curve;
-            curve.name = lines_.muscles[m];
-            curve.colour = muted_curve_colour(context.theme, static_cast<int>(m));
-            curve.dashed = true;
-            curve.hidden = hidden;
-            for (std::size_t k = 0; k < lines_.frames.size(); ++k)
-                curve.y.push_back((lines_.*row.of_lines)[k * muscles + m]);
-            if (at < curve.y.size()) {
-                char value[32];
-                std::snprintf(value, sizeof value, ": %.2f", curve.y[at]);
-                input.tooltip += '\n' + curve.name + value;
-            }
-            input.curves.push_back(std::move(curve));
-        }
-    }
-
-    static void add_curves(const EditorContext& context, const PlotRow& row, PlotInput& input) {
-        const MetricValues& now = context.metrics.current();
-        const auto& earlier = context.metrics.earlier();
-        const EditorState& state = context.state;
-        const std::vector<Muscle>& muscles = context.document.scene().muscles;
-        for (std::size_t m = 0; m < muscles.size(); ++m) {
-            const ImU32 colour = curve_colour(context.theme, static_cast<int>(m));
-            const bool hidden = state.hidden_curves.count(muscles[m].name) != 0;
-            for (auto ghost = earlier.rbegin(); ghost != earlier.rend(); ++ghost) {
-                const int same = ghost->scene->muscle_index(muscles[m].name);
-                if (same >= 0 && !hidden)
-                    input.curves.push_back({muscles[m].name,
-                                            colour,
-                                            series(*ghost, static_cast<std::size_t>(same), row.key),
-                                            {},
-                                            {},
-                                            true,
-                                            false});
-            }
-            const int index = now.scene == nullptr ? -1 : now.scene->muscle_index(muscles[m].name);
-            if (index < 0)
-                continue;
-            const auto k = static_cast<std::size_t>(index);
-            input.curves.push_back({muscles[m].name, colour, series(now, k, row.key),
-                                    series(now, k, row.low_key), series(now, k, row.high_key), false,
-                                    hidden});
+            state.plots.angles.reset();
         }
     }
 
     void draw_one(EditorContext& context, const PlotRow& row, const Rect& rect) {
         EditorState& state = context.state;
-        const Scene& scene = context.document.scene();
-        const int index = metric_index(row.key);
-        if (index < 0)
-            return;
-        const MetricRow& metric = metric_table()[static_cast<std::size_t>(index)];
-        PlotInput input;
-        input.title = row.title;
-        input.unit = metric.unit;
-        input.tooltip =
-            metric.meaning +
-            (row.low_key != nullptr ? (row.of_fibres ? "\nBand: 5th to 95th percentile of the fibres."
-                                                     : "\nBand: 10th to 90th percentile.")
-                                    : "") +
-            "\nClick moves the playhead, wheel zooms, Ctrl+drag pans, double-click shows all.";
-        input.x_label = axis_label(state.ruler);
-        input.x_text = [&](double frame) { return frame_text(scene, state.ruler, frame); };
-        input.playhead = context.playhead();
-        input.hover = state.hover_frame;
-        input.last_frame = std::max(1, context.last_frame());
-        input.reference = row.reference;
-        input.least_span = row.least_span;
-        input.empty_text = scene.muscles.empty() ? "No muscle" : "No frames yet";
-        add_curves(context, row, input);
-        add_line_curves(context, row, input);
-
-        const PlotResult result =
-            draw_plot(row.id, rect, input, state.plot_range, context.theme, context.scale());
-        if (result.moved_to) {
-            state.playback.playing = false;
-            context.move_playhead(static_cast<int>(*result.moved_to));
-        }
-        if (result.hovered)
-            state.next_hover_frame = result.hovered;
+        PlotData& data = context.features.plots;
+        PlotInput input = plot_input(context, data, row);
+        input.maximised = state.plots.maximised == row.id;
+        const PlotResult result = draw_shared_plot(context, data, row.id, rect, input);
+        if (result.maximise)
+            state.plots.maximised = input.maximised ? "" : row.id;
         if (result.toggled >= 0)
             toggle(state, input.curves[static_cast<std::size_t>(result.toggled)].name);
         if (result.isolated >= 0)
-            isolate(state, scene, input.curves[static_cast<std::size_t>(result.isolated)].name);
+            isolate(state, input, input.curves[static_cast<std::size_t>(result.isolated)].name);
+        if (result.hovered_bundle >= 0)
+            state.next_hover_fibre = {input.bundles[static_cast<std::size_t>(result.hovered_bundle)].name,
+                                      result.hovered_line};
+        const std::uint64_t run =
+            result.hovered_curve < 0 ? 0 : input.curves[static_cast<std::size_t>(result.hovered_curve)].run;
+        if (const MetricValues* kept = run == 0 ? nullptr : context.metrics.find(run);
+            kept != nullptr && !result.menu)
+            ImGui::SetTooltip("%s\nRight click restores these parameters.",
+                              kept_run_text(context, *kept).c_str());
+        if (result.menu) {
+            menu_of_ = &row;
+            menu_run_ = run;
+            menu_opens_ = true;
+        }
+    }
+
+    void draw_menu(EditorContext& context) {
+        if (std::exchange(menu_opens_, false))
+            ImGui::OpenPopup("plot menu");
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.px(8), context.px(6)});
+        if (ImGui::BeginPopup("plot menu")) {
+            draw_plot_menu(context, *menu_of_, menu_run_);
+            ImGui::EndPopup();
+        }
+        ImGui::PopStyleVar();
     }
 
     static void toggle(EditorState& state, const std::string& name) {
@@ -222,17 +130,28 @@ private:
             state.hidden_curves.insert(name);
     }
 
-    static void isolate(EditorState& state, const Scene& scene, const std::string& name) {
-        state.hidden_curves.clear();
-        for (const Muscle& muscle : scene.muscles)
-            if (muscle.name != name)
-                state.hidden_curves.insert(muscle.name);
-        if (name != all_lines)
-            state.hidden_curves.insert(all_lines);
+    /// The curve alone; when it is that already, all.
+    static void isolate(EditorState& state, const PlotInput& input, const std::string& name) {
+        std::set<std::string> others;
+        for (const PlotCurve& curve : input.curves)
+            if (curve.in_legend && !curve.ghost && curve.name != name)
+                others.insert(curve.name);
+        std::set<std::string> before = state.hidden_curves; // the double-click's first click hid or showed it
+        before.erase(name);
+        state.hidden_curves.erase(name);
+        const bool alone =
+            !others.empty() && std::includes(before.begin(), before.end(), others.begin(), others.end());
+        for (const std::string& other : others) {
+            if (alone)
+                state.hidden_curves.erase(other);
+            else
+                state.hidden_curves.insert(other);
+        }
     }
 
-    ScenePtr lines_scene_;
-    LineSeries lines_; ///< of lines_scene_
+    const PlotRow* menu_of_ = nullptr;
+    std::uint64_t menu_run_ = 0;
+    bool menu_opens_ = false;
 };
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "editor/features.hpp"
 #include "editor/scene_view.hpp"
 #include "editor/viewport/compare_overlay.hpp"
+#include "editor/viewport/plots_over_view.hpp"
 #include "editor/viewport/recording_badge.hpp"
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/legend.hpp"
@@ -145,6 +146,7 @@ const std::vector<OverlayRow>& viewport_overlays() {
         {"compare", draw_compare_overlay},
         {"recording", draw_recording_badge},
         {"quiz", draw_quiz_truth},
+        {"plots", draw_plots_over_view},
     };
     return rows;
 }

@@ -60,6 +60,11 @@ inline constexpr Icon lock{"\xEF\x80\xA3", "locked"};        // U+F023
 inline constexpr Icon unlock{"\xEF\x82\x9C", "open"};        // U+F09C
 inline constexpr Icon adjust{"\xEF\x81\x82", "Through"};     // U+F042
 inline constexpr Icon cut{"\xEF\x83\x84", "Cut"};            // U+F0C4
+inline constexpr Icon history{"\xEF\x87\x9A", "Kept"};       // U+F1DA
+inline constexpr Icon over{"\xEF\x8B\x92", "Over"};          // U+F2D2
+inline constexpr Icon download{"\xEF\x80\x99", "Export"};    // U+F019
+inline constexpr Icon shrink{"\xEF\x81\xA6", "All"};         // U+F066
+inline constexpr Icon grow{"\xEF\x81\xA5", "Max"};           // U+F065
 } // namespace icons
 
 /// Whether the icon font is loaded; set once by the editor.

@@ -1,194 +1,15 @@
 #include "editor/widgets/plot.hpp"
 
 #include "editor/widgets/item_recorder.hpp"
+#include "editor/widgets/plot_axes.hpp"
+#include "editor/widgets/tool_button.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace fascicle::editor {
 
 namespace {
-
-struct Axes {
-    Rect area;
-    double x0, x1, y0, y1;
-    float x(double frame) const {
-        return area.min.x + static_cast<float>((frame - x0) / (x1 - x0)) * area.width();
-    }
-    float y(double value) const {
-        return area.max.y - static_cast<float>((value - y0) / (y1 - y0)) * area.height();
-    }
-    double frame(float px) const { return x0 + double(px - area.min.x) / double(area.width()) * (x1 - x0); }
-};
-
-/// Range of y of what is visible, with some air.
-void fit_y(Axes& axes, const PlotInput& input) {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    const auto take = [&](const std::vector<double>& values) {
-        const auto first = static_cast<std::size_t>(std::max(0.0, std::floor(axes.x0)));
-        const auto last = static_cast<std::size_t>(std::max(0.0, std::ceil(axes.x1)));
-        for (std::size_t k = first; k < values.size() && k <= last; ++k)
-            if (std::isfinite(values[k])) {
-                low = std::min(low, values[k]);
-                high = std::max(high, values[k]);
-            }
-    };
-    for (const PlotCurve& curve : input.curves)
-        if (!curve.hidden) {
-            take(curve.y);
-            take(curve.low);
-            take(curve.high);
-        }
-    if (input.reference) {
-        low = std::min(low, *input.reference);
-        high = std::max(high, *input.reference);
-    }
-    if (!(low <= high)) {
-        low = 0;
-        high = 1;
-    }
-    const double lack = input.least_span - (high - low);
-    if (lack > 0) {
-        low -= lack / 2;
-        high += lack / 2;
-    }
-    const double air = (high - low) * 0.08;
-    axes.y0 = low - air;
-    axes.y1 = high + air;
-}
-
-void draw_grid(ImDrawList& list, const Axes& axes, const PlotInput& input, const Theme& theme,
-               float line_height) {
-    const Rect& area = axes.area;
-    list.AddRectFilled(area.min, area.max, theme.plot);
-    const Ticks rows =
-        nice_ticks(axes.y0, axes.y1, std::max(1, static_cast<int>(area.height() / (line_height * 1.9f))));
-    for (int i = 0; i < rows.count; ++i) {
-        const float y = std::round(axes.y(rows.at(i)));
-        list.AddLine({area.min.x, y}, {area.max.x, y}, theme.grid);
-        draw_text_in(
-            list,
-            {{area.min.x - 200, y - line_height / 2}, {area.min.x - line_height * 0.4f, y + line_height / 2}},
-            theme.text_faint, tick_text(rows.at(i), rows.step), Align::right);
-    }
-    const float wide = text_size("-0.000").x;
-    const Ticks columns =
-        nice_ticks(axes.x0, axes.x1, std::max(1, static_cast<int>(area.width() / (wide * 1.9f))));
-    for (int i = 0; i < columns.count; ++i) {
-        const double frame = columns.at(i);
-        const float x = std::round(axes.x(frame));
-        list.AddLine({x, area.min.y}, {x, area.max.y}, theme.grid);
-        const std::string text = input.x_text ? input.x_text(frame) : tick_text(frame, columns.step);
-        const float width = text_size(text).x;
-        const float left = std::clamp(x - width / 2, area.min.x, std::max(area.min.x, area.max.x - width));
-        draw_text(list, {left, area.max.y + line_height * 0.12f}, theme.text_faint, text);
-    }
-    if (input.reference) {
-        const float y = std::round(axes.y(*input.reference));
-        for (float x = area.min.x; x < area.max.x; x += line_height * 0.5f)
-            list.AddLine({x, y}, {std::min(area.max.x, x + line_height * 0.25f), y}, theme.text_faint);
-    }
-}
-
-void draw_band(ImDrawList& list, const Axes& axes, const PlotCurve& curve) {
-    const std::size_t count = std::min({curve.y.size(), curve.low.size(), curve.high.size()});
-    const ImU32 colour = with_alpha(curve.colour, 0.16f);
-    for (std::size_t k = 0; k + 1 < count; ++k) {
-        const double values[] = {curve.low[k], curve.low[k + 1], curve.high[k + 1], curve.high[k]};
-        if (!std::all_of(std::begin(values), std::end(values), [](double v) { return std::isfinite(v); }))
-            continue;
-        const float left = axes.x(double(k)), right = axes.x(double(k + 1));
-        // No anti-aliased fill here: the seams between neighbouring pieces would show.
-        const ImDrawListFlags flags = list.Flags;
-        list.Flags &= ~ImDrawListFlags_AntiAliasedFill;
-        list.AddQuadFilled({left, axes.y(values[0])}, {right, axes.y(values[1])}, {right, axes.y(values[2])},
-                           {left, axes.y(values[3])}, colour);
-        list.Flags = flags;
-    }
-}
-
-/// Dashes and gaps of one length along the polyline, whatever its points are apart.
-void draw_dashes(ImDrawList& list, const std::vector<ImVec2>& points, ImU32 colour, float thickness,
-                 float length) {
-    float along = 0; // since the first point, modulo a dash and a gap
-    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-        const ImVec2 a = points[k], b = points[k + 1];
-        const float whole = std::hypot(b.x - a.x, b.y - a.y);
-        for (float done = 0; done < whole;) {
-            const bool dash = along < length;
-            const float piece = std::min(whole - done, std::max((dash ? length : 2 * length) - along, 0.01f));
-            const auto at = [&](float s) {
-                return ImVec2(a.x + (b.x - a.x) * s / whole, a.y + (b.y - a.y) * s / whole);
-            };
-            if (dash)
-                list.AddLine(at(done), at(done + piece), colour, thickness);
-            done += piece;
-            along = along + piece >= 2 * length - 0.01f ? 0 : along + piece;
-        }
-    }
-}
-
-void draw_line(ImDrawList& list, const Axes& axes, const PlotCurve& curve, float scale) {
-    const ImU32 colour = curve.ghost ? with_alpha(curve.colour, 0.35f) : curve.colour;
-    const float thickness = (curve.ghost ? 1.0f : curve.dashed ? 1.3f : 1.8f) * scale;
-    std::vector<ImVec2> points;
-    const auto flush = [&] {
-        if (points.size() > 1 && curve.dashed)
-            draw_dashes(list, points, colour, thickness, 5 * scale);
-        else if (points.size() > 1)
-            list.AddPolyline(points.data(), static_cast<int>(points.size()), colour, 0, thickness);
-        else if (points.size() == 1)
-            list.AddCircleFilled(points[0], thickness * 1.4f, colour);
-        points.clear();
-    };
-    for (std::size_t k = 0; k < curve.y.size(); ++k) {
-        if (std::isfinite(curve.y[k]))
-            points.push_back({axes.x(double(k)), axes.y(curve.y[k])});
-        else
-            flush();
-    }
-    flush();
-}
-
-/// Names of dashed curves over the right end of the plot, one below the other where they are close; none where there is no
-/// room.
-void draw_end_names(ImDrawList& list, const Axes& axes, const std::vector<PlotCurve>& curves,
-                    const Theme& theme, float line_height, float scale) {
-    struct Name {
-        float y;
-        const PlotCurve* curve;
-    };
-    std::vector<Name> names;
-    const auto k = static_cast<std::size_t>(std::max(0.0, std::floor(axes.x1)));
-    for (const PlotCurve& curve : curves)
-        if (curve.dashed && !curve.hidden && k < curve.y.size() && std::isfinite(curve.y[k]))
-            names.push_back({axes.y(curve.y[k]), &curve});
-    const float step = line_height * 0.95f;
-    float widest = 0;
-    for (const Name& name : names)
-        widest = std::max(widest, text_size(name.curve->name).x);
-    if (widest > 0.4f * axes.area.width() || step * static_cast<float>(names.size()) > axes.area.height())
-        return;
-    std::stable_sort(names.begin(), names.end(), [](const Name& a, const Name& b) { return a.y < b.y; });
-    float below = axes.area.min.y + step / 2;
-    for (Name& name : names) {
-        name.y = std::max(name.y, below);
-        below = name.y + step;
-    }
-    float above = axes.area.max.y - step / 2;
-    for (auto name = names.rbegin(); name != names.rend(); ++name) {
-        name->y = std::min(name->y, above);
-        above = name->y - step;
-    }
-    for (const Name& name : names) {
-        const ImVec2 size = text_size(name.curve->name);
-        const ImVec2 at{axes.area.max.x - size.x - 4 * scale, std::round(name.y - size.y / 2)};
-        list.AddRectFilled({at.x - 2 * scale, at.y}, {at.x + size.x + 2 * scale, at.y + size.y},
-                           with_alpha(theme.plot, 0.5f));
-        draw_text(list, at, name.curve->colour, name.curve->name);
-    }
-}
 
 struct LegendItem {
     std::size_t curve;
@@ -202,15 +23,24 @@ std::vector<LegendItem> legend_items(const PlotInput& input, double frame, float
     float values = 0, longest = 0;
     for (std::size_t i = 0; i < input.curves.size(); ++i) {
         const PlotCurve& curve = input.curves[i];
-        if (curve.ghost || curve.dashed)
+        if (curve.ghost || !curve.in_legend)
             continue;
         const auto k = static_cast<std::size_t>(std::max(0.0, std::round(frame)));
         items.push_back(
-            {i, curve.name, k < curve.y.size() && !curve.hidden ? value_text(curve.y[k]) : std::string()});
+            {i, curve.name,
+             k < curve.y.size() && !curve.hidden && curve.by_frame ? value_text(curve.y[k]) : std::string()});
         values += fixed_width + (items.back().value.empty() ? 0 : gap + text_size(items.back().value).x);
         longest = std::max(longest, text_size(curve.name).x);
     }
-    const float room = width - values;
+    float room = width - values;
+    if (room < 2 * fixed_width * static_cast<float>(items.size())) { // many curves: names before numbers
+        room = width - fixed_width * static_cast<float>(items.size());
+        for (LegendItem& item : items)
+            if (items.size() > 2)
+                item.value.clear();
+        if (items.size() <= 2)
+            room = width - values;
+    }
     for (float limit = longest; limit > 0; limit -= 4) {
         float sum = 0;
         for (const LegendItem& item : items)
@@ -230,6 +60,7 @@ void draw_legend(const char* id, const Rect& row, const PlotInput& input, double
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float swatch = std::round(9 * scale), gap = 6 * scale, between = 12 * scale;
     float x = row.min.x;
+    list.PushClipRect(row.min, row.max, true);
     for (const LegendItem& item : legend_items(input, frame, row.width(), swatch + gap + between, gap)) {
         const PlotCurve& curve = input.curves[item.curve];
         const float name_width = text_size(item.name).x, value_width = text_size(item.value).x;
@@ -245,6 +76,10 @@ void draw_legend(const char* id, const Rect& row, const PlotInput& input, double
                          item.value);
             x += gap + value_width;
         }
+        if (input.compact) {
+            x += between;
+            continue;
+        }
         ImGui::SetCursorScreenPos({left, row.min.y});
         ImGui::PushID(static_cast<int>(item.curve));
         ImGui::InvisibleButton("legend", {std::max(1.0f, x - left), std::max(1.0f, row.height())});
@@ -259,122 +94,99 @@ void draw_legend(const char* id, const Rect& row, const PlotInput& input, double
         ImGui::PopID();
         x += between;
     }
+    list.PopClipRect();
 }
 
-/// Pan, zoom, fit; returns what the pointer does to the playhead.
-void handle_pointer(const char* id, const Axes& axes, const PlotInput& input, PlotRange& range,
-                    PlotResult& result) {
-    const ImGuiIO& io = ImGui::GetIO();
-    ImGui::SetCursorScreenPos(axes.area.min);
-    ImGui::InvisibleButton(id, {axes.area.width(), axes.area.height()},
-                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
-    record_item(std::string(id) + "/area");
-    const double frame = std::clamp(std::round(axes.frame(io.MousePos.x)), 0.0, input.last_frame);
+struct Header {
+    float end;    ///< of the title, pixels
+    float bottom; ///< of its row
+};
+
+/// Title with its unit.
+Header draw_title(ImDrawList& list, const Rect& rect, const PlotInput& input, const Theme& theme,
+                  float scale) {
+    const float line = ImGui::GetTextLineHeight(), pad = std::round(8 * scale);
+    const float top = rect.min.y + std::round(pad * 0.5f);
+    const Rect title{{rect.min.x + pad, top}, {rect.max.x - pad, top + std::round(line * 1.15f)}};
+    draw_text_in(list, title, theme.text, input.title);
+    const float after = text_size(input.title).x + 5 * scale;
+    const std::string unit = "[" + input.unit + "]";
+    if (after < title.width())
+        draw_text_in(list, {{title.min.x + after, title.min.y}, title.max}, theme.text_faint, unit);
+    const float width = std::min(title.width(), after + text_size(unit).x);
+    if (!input.compact) {
+        ImGui::SetCursorScreenPos(title.min);
+        ImGui::InvisibleButton("title", {std::max(1.0f, width), line});
+        item_tooltip(input.tooltip);
+    }
+    return {title.min.x + width, title.max.y};
+}
+
+void draw_maximise(ImDrawList& list, const char* id, const Rect& rect, const PlotInput& input,
+                   const Theme& theme, PlotResult& result) {
+    ImGui::SetCursorScreenPos(rect.min);
+    result.maximise = ImGui::InvisibleButton("maximise", {rect.width(), rect.height()});
+    record_item(std::string(id) + "/maximise");
     const bool hovered = ImGui::IsItemHovered();
-    if (hovered || ImGui::IsItemActive())
-        result.hovered = frame;
-    const double span = range.high - range.low;
-    if (ImGui::IsItemActive()) {
-        const bool pan = ImGui::IsMouseDown(ImGuiMouseButton_Middle) || io.KeyCtrl;
-        if (pan) {
-            const double shift = -double(io.MouseDelta.x) / double(axes.area.width()) * span;
-            const double kept = std::clamp(shift, -range.low, std::max(0.0, input.last_frame - range.high));
-            range.low += kept;
-            range.high += kept;
-        } else {
-            result.moved_to = frame;
-        }
-    }
-    if (hovered && io.MouseWheel != 0) {
-        const double factor = std::pow(0.8, double(io.MouseWheel));
-        const double wanted = std::clamp(span * factor, std::min(5.0, input.last_frame), input.last_frame);
-        const double anchor = std::clamp(axes.frame(io.MousePos.x), range.low, range.high);
-        range.low = std::clamp(anchor - (anchor - range.low) / span * wanted, 0.0, input.last_frame - wanted);
-        range.high = range.low + wanted;
-    }
-    if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
-        range = {0, input.last_frame};
+    if (icons_available())
+        draw_text_in(list, {{rect.min.x - 3, rect.min.y}, {rect.max.x + 3, rect.max.y}},
+                     hovered ? theme.text : with_alpha(theme.text_faint, 0.7f),
+                     input.maximised ? icons::shrink.glyph : icons::grow.glyph, Align::centre);
+    else
+        draw_text_in(list, rect, hovered ? theme.text : theme.text_faint, input.maximised ? "-" : "+",
+                     Align::centre);
+    item_tooltip(input.maximised ? "Show all plots again" : "Show this plot alone");
 }
 
 } // namespace
 
-PlotResult draw_plot(const char* id, const Rect& rect, const PlotInput& input, PlotRange& range,
-                     const Theme& theme, float scale) {
+PlotResult draw_plot(const char* id, const Rect& rect, const PlotInput& input, const PlotRange& x,
+                     const PlotRange* y, PlotGesture& gesture, PlotInk& ink, const Theme& theme,
+                     float scale) {
     PlotResult result;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     record_item(id, rect);
-    const float line = ImGui::GetTextLineHeight();
+    const float line = ImGui::GetTextLineHeight(), row = std::round(line * 1.15f);
     const float pad = std::round(8 * scale);
-    float top = rect.min.y + pad * 0.5f;
-
-    const Rect title{{rect.min.x + pad, top}, {rect.max.x - pad, top + line * 1.15f}};
-    const std::string name = input.title + " [" + input.unit + "]";
-    draw_text_in(list, title, theme.text, input.title);
-    const float after = text_size(input.title).x + 5 * scale;
-    draw_text_in(list, {{title.min.x + after, title.min.y}, title.max}, theme.text_faint,
-                 "[" + input.unit + "]");
-    ImGui::SetCursorScreenPos(title.min);
     ImGui::PushID(id);
-    ImGui::Dummy({std::max(1.0f, std::min(title.width(), text_size(name).x)), line});
-    if (ImGui::IsItemHovered() && !input.tooltip.empty())
-        ImGui::SetTooltip("%s", input.tooltip.c_str());
-    top = title.max.y;
-
-    const double shown_at = input.hover ? *input.hover : input.playhead;
-    if (!input.curves.empty()) {
-        draw_legend(id, {{rect.min.x + pad, top}, {rect.max.x - pad, top + line * 1.15f}}, input, shown_at,
-                    theme, scale, result);
-        top += line * 1.15f;
+    const Header header = draw_title(list, rect, input, theme, scale);
+    float top = header.bottom, right = rect.max.x - pad;
+    if (!input.compact && input.maximisable) {
+        draw_maximise(list, id, {{right - row, top - row}, {right, top}}, input, theme, result);
+        right -= row + pad;
     }
-    top += pad * 0.5f;
+    const double shown_at = input.hover ? *input.hover : input.playhead;
+    const bool any = std::any_of(input.curves.begin(), input.curves.end(),
+                                 [](const PlotCurve& curve) { return curve.in_legend && !curve.ghost; });
+    if (any) {
+        // Where height is scarce and width is not, the legend shares the title's row.
+        const bool beside = rect.height() < 150 * scale && right - header.end > 140 * scale;
+        const Rect place = beside ? Rect{{header.end + 12 * scale, top - row}, {right, top}}
+                                  : Rect{{rect.min.x + pad, top}, {rect.max.x - pad, top + row}};
+        draw_legend(id, place, input, shown_at, theme, scale, result);
+        top += beside ? 0 : row;
+    }
+    top += std::round(pad * 0.5f);
     ImGui::PopID();
 
-    range.high = std::min(range.high, std::max(1.0, input.last_frame));
-    range.low = std::clamp(range.low, 0.0, range.high - 1e-9);
-    Axes axes{};
-    axes.x0 = range.low;
-    axes.x1 = range.high;
-    fit_y(axes, input);
-    const float y_labels = std::max(text_size("0.0000").x, text_size("-0.00").x) + line * 0.5f;
+    PlotAxes axes;
+    axes.x0 = x.low;
+    axes.x1 = std::max(x.high, x.low + 1e-9);
+    const PlotRange shown = y != nullptr ? *y : fitted_y(input, {axes.x0, axes.x1});
+    axes.y0 = shown.low;
+    axes.y1 = shown.high;
+    const float y_labels =
+        std::round(std::max(text_size("0.0000").x, text_size(input.x_label).x) + line * 0.4f);
     axes.area = {{rect.min.x + pad + y_labels, top},
-                 {rect.max.x - pad, rect.max.y - pad * 0.4f - line * 1.2f}};
+                 {rect.max.x - pad, rect.max.y - std::round(pad * 0.4f + line * 1.2f)}};
     if (axes.area.width() < 30 * scale || axes.area.height() < 20 * scale)
         return result;
-
-    draw_grid(list, axes, input, theme, line);
     draw_text_in(
         list, {{rect.min.x + pad, axes.area.max.y}, {axes.area.min.x - line * 0.4f, rect.max.y - pad * 0.4f}},
         theme.text_faint, input.x_label, Align::right);
-    list.PushClipRect(axes.area.min, axes.area.max, true);
-    for (const PlotCurve& curve : input.curves)
-        if (curve.ghost && !curve.hidden)
-            draw_line(list, axes, curve, scale);
-    for (const PlotCurve& curve : input.curves)
-        if (!curve.ghost && !curve.hidden)
-            draw_band(list, axes, curve);
-    for (const PlotCurve& curve : input.curves)
-        if (!curve.ghost && !curve.hidden)
-            draw_line(list, axes, curve, scale);
-    draw_end_names(list, axes, input.curves, theme, line, scale);
-    if (input.hover) {
-        const float x = std::round(axes.x(*input.hover));
-        list.AddLine({x, axes.area.min.y}, {x, axes.area.max.y}, theme.hover_line, scale);
-    }
-    const float head = std::round(axes.x(input.playhead));
-    list.AddLine({head, axes.area.min.y}, {head, axes.area.max.y}, theme.playhead,
-                 std::max(1.0f, 1.2f * scale));
-    for (const PlotCurve& curve : input.curves) {
-        const auto k = static_cast<std::size_t>(std::max(0.0, std::round(shown_at)));
-        if (!curve.ghost && !curve.hidden && k < curve.y.size() && std::isfinite(curve.y[k])) {
-            const ImVec2 at{axes.x(double(k)), axes.y(curve.y[k])};
-            list.AddCircleFilled(at, 4.5f * scale, theme.plot);
-            list.AddCircleFilled(at, 3.2f * scale, curve.colour);
-        }
-    }
-    list.PopClipRect();
-    if (input.curves.empty() && !input.empty_text.empty())
-        draw_text_in(list, axes.area, theme.text_faint, input.empty_text, Align::centre);
-    handle_pointer(id, axes, input, range, result);
+    paint_plot(list, id, axes, input, ink, theme, scale);
+    if (!input.compact)
+        handle_plot_pointer(id, axes, input, gesture, theme, scale, result);
     return result;
 }
 

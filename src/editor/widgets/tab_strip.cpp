@@ -20,7 +20,7 @@ std::string short_title(const Tab& tab) {
 } // namespace
 
 int draw_tab_strip(const EditorContext& context, ImFont* heading, const std::vector<Tab>& tabs,
-                   std::size_t front, const Rect& strip) {
+                   std::size_t front, const Rect& strip, float& end) {
     const Theme& theme = context.theme;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(strip.min, strip.max, theme.header);
@@ -72,6 +72,7 @@ int draw_tab_strip(const EditorContext& context, ImFont* heading, const std::vec
             draw_text_in(list, {{rect.min.x + pad, rect.min.y}, rect.max}, colour, tab.title);
     }
     ImGui::PopFont();
+    end = x;
     return clicked;
 }
 

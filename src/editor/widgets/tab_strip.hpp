@@ -14,7 +14,8 @@ struct Tab {
 };
 
 /// Fills `strip`; returns the index of the tab that was clicked, or -1. A single tab is a plain heading. heading: its font.
+/// end: becomes the right edge of the last tab.
 int draw_tab_strip(const EditorContext& context, ImFont* heading, const std::vector<Tab>& tabs,
-                   std::size_t front, const Rect& strip);
+                   std::size_t front, const Rect& strip, float& end);
 
 } // namespace fascicle::editor
