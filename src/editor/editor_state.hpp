@@ -78,6 +78,7 @@ struct EditorState {
     float start_scale = 1; ///< what "normal" means
 
     bool show_shortcuts = false;
+    bool show_start = false; ///< the start page instead of the scene
 
     // Wishes to whoever owns the window.
     bool wants_quit = false;

@@ -14,7 +14,7 @@ constexpr Modifiers shift{.shift = true};
 std::vector<KeyBinding> make_bindings() {
     std::vector<KeyBinding> rows;
     for (const auto& group :
-         {file_commands, edit_commands, timeline_commands, view_commands, show_commands, window_commands}) {
+         {project_commands, file_commands, edit_commands, timeline_commands, view_commands, show_commands, window_commands}) {
         const std::vector<KeyBinding> more = group();
         rows.insert(rows.end(), more.begin(), more.end());
     }

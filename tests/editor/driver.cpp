@@ -6,7 +6,8 @@ namespace fascicle::test {
 
 namespace ed = fascicle::editor;
 
-Driver::Driver(Scene scene, float width, float height, float scale, bool still)
+Driver::Driver(Scene scene, float width, float height, float scale, bool still,
+               std::filesystem::path user_folder)
     : width_(width), height_(height), host_(scale) {
     const auto start = [this](ScenePtr head) -> std::unique_ptr<ed::Run> {
         auto run = std::make_unique<HandRun>(std::move(head));
@@ -15,7 +16,7 @@ Driver::Driver(Scene scene, float width, float height, float scale, bool still)
         return run;
     };
     editor_ = std::make_unique<ed::Editor>(host_, Document(std::move(scene)), start,
-                                           ed::EditorOptions{true, still});
+                                           ed::EditorOptions{true, still, std::move(user_folder)});
     ed::set_item_recorder(&recorder_);
 }
 
@@ -30,6 +31,10 @@ void Driver::frame(int count) {
 
 void Driver::settle() {
     frame(static_cast<int>(ed::RunManager::settle_seconds * 60) + 3);
+}
+
+void Driver::wait(double seconds) {
+    editor_->draw_frame(width_, height_, seconds);
 }
 
 ed::Rect Driver::rect(const std::string& name) const {

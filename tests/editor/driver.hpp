@@ -12,12 +12,14 @@ namespace fascicle::test {
 class Driver {
 public:
     explicit Driver(Scene scene = small_scene(), float width = 1280, float height = 800, float scale = 1,
-                    bool still = true);
+                    bool still = true, std::filesystem::path user_folder = {});
     ~Driver();
 
     void frame(int count = 1);
     /// Lets runs start: waits out the settling time.
     void settle();
+    /// One frame that comes so much later.
+    void wait(double seconds);
 
     bool has(const std::string& name) const { return recorder_.find(name) != nullptr; }
     /// Place of a widget; fails the test when it is not on the screen.

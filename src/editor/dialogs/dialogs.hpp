@@ -1,16 +1,28 @@
 #pragma once
 // All dialogs of the editor; EditorContext knows only that there are some.
 
+#include "editor/dialogs/locate_dialog.hpp"
 #include "editor/dialogs/mesh_dialog.hpp"
+#include "editor/dialogs/open_project_dialog.hpp"
 #include "editor/dialogs/picture_dialog.hpp"
+#include "editor/dialogs/recovery_dialog.hpp"
+#include "editor/dialogs/reload_dialog.hpp"
+#include "editor/dialogs/save_dialog.hpp"
+#include "editor/dialogs/unsaved_dialog.hpp"
 
 namespace fascicle::editor {
 
 struct Dialogs {
     MeshDialog mesh;
     PictureDialog picture;
+    OpenProjectDialog open_project;
+    SaveDialog save;
+    UnsavedDialog unsaved;
+    LocateDialog locate;
+    ReloadDialog reload;
+    RecoveryDialog recovery;
 
-    std::vector<Dialog*> all() { return {&mesh, &picture}; }
+    std::vector<Dialog*> all() { return {&mesh, &picture, &open_project, &save, &unsaved, &locate, &reload, &recovery}; }
 };
 
 } // namespace fascicle::editor

@@ -30,7 +30,8 @@ std::string size_text(std::uintmax_t bytes) {
 
 } // namespace
 
-FileBrowser::FileBrowser(std::vector<std::string> extensions) : extensions_(std::move(extensions)) {
+FileBrowser::FileBrowser(std::vector<std::string> extensions, std::string empty_text)
+    : extensions_(std::move(extensions)), empty_text_(std::move(empty_text)) {
     std::error_code error;
     folder_ = fs::current_path(error);
     refresh();
@@ -108,7 +109,7 @@ bool FileBrowser::draw(const EditorContext& context, ImVec2 size) {
             ImGui::PushStyleColor(ImGuiCol_Text,
                                   problem_.empty() ? context.theme.text_faint : context.theme.bad);
             ImGui::SetCursorPos({context.px(10), context.px(8)});
-            ImGui::TextUnformatted(problem_.empty() ? "No meshes here" : problem_.c_str());
+            ImGui::TextUnformatted((problem_.empty() ? empty_text_ : problem_).c_str());
             ImGui::PopStyleColor();
         }
         for (const Entry& entry : entries_) {
