@@ -8,23 +8,38 @@
 #include "io/mesh_codec.hpp"
 #include "io/project_json.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace fascicle::io {
 namespace fs = std::filesystem;
 namespace {
 
+Points read_points(const JsonFields& entry) {
+    const auto list = entry.json().find("points");
+    if (list == entry.json().end() || !list->is_array())
+        entry.fail("points", "missing", "a list of points");
+    Points points;
+    for (const Json& p : *list) {
+        Vec3 point;
+        bool good = p.is_array() && p.size() == 3;
+        for (std::size_t k = 0; k < 3 && good; ++k) {
+            good = p[k].is_number() && std::isfinite(p[k].get<double>());
+            if (good)
+                point[static_cast<Eigen::Index>(k)] = p[k].get<double>();
+        }
+        if (!good)
+            entry.fail("points[" + std::to_string(points.size()) + "]", "is no point", "[x, y, z]");
+        points.push_back(point);
+    }
+    return points;
+}
+
 /// Polylines that stand in the project itself.
 Polylines read_polylines(const JsonFields& entry) {
     Polylines out;
-    const auto points = entry.json().find("points"), lines = entry.json().find("lines");
-    if (points == entry.json().end() || !points->is_array())
-        entry.fail("points", "missing", "a list of points");
-    for (const Json& p : *points) {
-        const Json wrapped{{"points", p}};
-        out.points.push_back(JsonFields(wrapped, "", "").vector("points"));
-    }
+    out.points = read_points(entry);
+    const auto lines = entry.json().find("lines");
     if (lines == entry.json().end() || !lines->is_array())
         entry.fail("lines", "missing", "lists of point numbers");
     for (const Json& line : *lines) {
@@ -192,16 +207,8 @@ void ProjectReader::outlines(const JsonFields& entry, Muscle& muscle, const Scen
         muscle.outline_files.push_back(one.outline_files[0]);
     }
     for (const JsonFields& item : entry.objects("outlines")) {
-        AttachmentOutline outline{
-            kind_of(item), item.text("bone"), {}, item.text("head"), item.flag("hole", false)};
-        const auto points = item.json().find("points");
-        if (points == item.json().end() || !points->is_array())
-            item.fail("points", "missing", "a list of points");
-        for (const Json& p : *points) {
-            const Json wrapped{{"p", p}};
-            outline.points.push_back(JsonFields(wrapped, file_.string(), "outlines.points").vector("p"));
-        }
-        muscle.outlines.push_back(std::move(outline));
+        muscle.outlines.push_back({kind_of(item), item.text("bone"), read_points(item), item.text("head"),
+                                   item.flag("hole", false)});
     }
 }
 

@@ -8,6 +8,7 @@
 #include "fascicle/io/recent_projects.hpp"
 #include "fascicle/scene/embedded_scenes.hpp"
 #include "render/imgui_renderer.hpp"
+#include "render/offscreen_target.hpp"
 #include "render/osmesa_context.hpp"
 #include "support/shapes.hpp"
 #include "support/temp_dir.hpp"
@@ -53,8 +54,7 @@ TEST_CASE("The start page without recent projects offers the embedded scenes", "
     CHECK_FALSE(d.state().show_start);
     CHECK(d.document().scene().embedded_name == "cylinder");
     CHECK(d.has("viewport"));
-    d.click("menu/File");
-    d.run(Command::show_start_page);
+    d.editor().run(Command::show_start_page);
     d.frame(3);
     REQUIRE(d.has("start/back"));
     d.key(key_delete); // what changes the scene does nothing while it cannot be seen

@@ -5,6 +5,7 @@
 #include "editor/dialogs/mesh_dialog.hpp"
 #include "editor/dialogs/open_project_dialog.hpp"
 #include "editor/dialogs/picture_dialog.hpp"
+#include "editor/dialogs/progress_note.hpp"
 #include "editor/dialogs/recovery_dialog.hpp"
 #include "editor/dialogs/reload_dialog.hpp"
 #include "editor/dialogs/save_dialog.hpp"
@@ -21,8 +22,11 @@ struct Dialogs {
     LocateDialog locate;
     ReloadDialog reload;
     RecoveryDialog recovery;
+    ProgressNote progress;
 
-    std::vector<Dialog*> all() { return {&mesh, &picture, &open_project, &save, &unsaved, &locate, &reload, &recovery}; }
+    std::vector<Dialog*> all() {
+        return {&mesh, &picture, &open_project, &save, &unsaved, &locate, &reload, &recovery, &progress};
+    }
 };
 
 } // namespace fascicle::editor

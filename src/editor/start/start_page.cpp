@@ -199,7 +199,6 @@ void StartPage::draw_card(EditorContext& context, Card& card, const Rect& area) 
     const float picture = area.width() * 0.625f, pad = context.px(9), line = ImGui::GetTextLineHeight();
     ImGui::SetCursorScreenPos(area.min);
     ImGui::PushID(facts.id.c_str());
-    ImGui::SetItemAllowOverlap();
     const bool clicked = ImGui::InvisibleButton("card", {area.width(), area.height()});
     ImGui::SetItemAllowOverlap();
     const bool hovered = ImGui::IsItemHovered();
