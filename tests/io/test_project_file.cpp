@@ -104,7 +104,7 @@ void check_same(const Scene& a, const Scene& b) {
 
 std::string state_of(const Scene& scene) {
     Recording recording(std::make_shared<const Scene>(scene));
-    run_simulation(recording, {1, nullptr});
+    run_simulation(recording, {1, nullptr}, {});
     StateHash hash;
     for (const PointsPtr& points : recording.frame(recording.frame_count() - 1)->muscle_positions)
         hash.add_points(*points);
@@ -200,7 +200,7 @@ TEST_CASE("A project of version 1 opens", "[io][project]") {
     REQUIRE(scene.bones.size() == 4);
     CHECK(scene.bones[3].name == "block");
     CHECK(scene.bones[3].mesh->vertex_count() == 8);
-    CHECK(scene.muscles[0].areas.at(0).vertices.count() == 4);
+    CHECK(scene.muscles[0].areas.at(0).vertices.size() == 4);
     CHECK(scene.muscles[0].attachments.size() ==
           make_embedded_scene("cylinder").muscles[0].attachments.size());
     CHECK(scene.timeline.angle_rad(100) == 0.8);
