@@ -29,6 +29,7 @@ constexpr const char* helper_test = "Kill helper: edits and saves until it is ki
 /// What the helper tells after each step, in one write: the number of edits, and of those the one saved last.
 struct Report {
     int edits = 0, saved = 0;
+    pid_t pid = 0; ///< of the round
 };
 
 /// Edits are numbered in the name of a bone.
@@ -36,50 +37,41 @@ int number_of(const Scene& scene) {
     return std::atoi(scene.bones[0].name.c_str() + 1);
 }
 
+/// The helper makes an editor once and forks it for every round: making one takes longer than many rounds.
 struct Helper {
     pid_t pid = -1;
+    int orders = -1;  ///< a byte written: start a round
     int reports = -1; ///< to read from
 };
 
 Helper start_helper(const fs::path& folder) {
-    int ends[2];
-    REQUIRE(::pipe(ends) == 0);
+    int orders[2], reports[2];
+    REQUIRE(::pipe(orders) == 0);
+    REQUIRE(::pipe(reports) == 0);
     const pid_t pid = ::fork();
     REQUIRE(pid >= 0);
     if (pid == 0) { // between fork and exec nothing but system calls
         ::setenv("FASCICLE_KILL_FOLDER", folder.c_str(), 1);
-        ::dup2(ends[1], 9);
+        ::dup2(orders[0], 8);
+        ::dup2(reports[1], 9);
+        for (const int end : {orders[0], orders[1], reports[0], reports[1]})
+            if (end != 8 && end != 9)
+                ::close(end);
         const int nowhere = ::open("/dev/null", O_WRONLY);
         ::dup2(nowhere, 1);
         ::dup2(nowhere, 2);
         ::execl("/proc/self/exe", "tests", helper_test, static_cast<char*>(nullptr));
         ::_exit(127);
     }
-    ::close(ends[1]);
-    return {pid, ends[0]};
+    ::close(orders[0]);
+    ::close(reports[1]);
+    return {pid, orders[1], reports[0]};
 }
 
-/// All that was told before the end; `first`: only the first report.
-Report read_reports(int file, bool first) {
-    Report last, next;
-    while (::read(file, &next, sizeof next) == static_cast<ssize_t>(sizeof next)) {
-        last = next;
-        if (first)
-            break;
-    }
-    return last;
-}
-
-} // namespace
-
-TEST_CASE("Kill helper: edits and saves until it is killed", "[.]") {
-    const char* folder = std::getenv("FASCICLE_KILL_FOLDER");
-    REQUIRE(folder != nullptr);
-    Scene scene = small_scene();
-    scene.bones[0].name = "b0";
-    Driver d(std::move(scene), 1280, 800, 1, true, fs::path(folder) / "user");
-    d.document().mark_saved(fs::path(folder) / "work.fascicle", nullptr);
+/// Edits and saves until it is killed.
+void work(Driver& d) {
     Report report;
+    report.pid = ::getpid();
     for (;;) {
         ++report.edits;
         actions::rename_bone(d.document(), 0, "b" + std::to_string(report.edits));
@@ -98,27 +90,53 @@ TEST_CASE("Kill helper: edits and saves until it is killed", "[.]") {
     }
 }
 
+bool read_report(int file, Report& report) {
+    return ::read(file, &report, sizeof report) == static_cast<ssize_t>(sizeof report);
+}
+
+} // namespace
+
+TEST_CASE("Kill helper: edits and saves until it is killed", "[.]") {
+    const char* folder = std::getenv("FASCICLE_KILL_FOLDER");
+    REQUIRE(folder != nullptr);
+    Scene scene = small_scene();
+    scene.bones[0].name = "b0";
+    Driver d(std::move(scene), 1280, 800, 1, true, fs::path(folder) / "user");
+    d.document().mark_saved(fs::path(folder) / "work.fascicle", nullptr);
+    char order = 0;
+    while (::read(8, &order, 1) == 1) {
+        const pid_t round = ::fork();
+        if (round == 0)
+            work(d);
+        if (round <= 0)
+            ::_exit(1);
+        int status = 0;
+        ::waitpid(round, &status, 0);
+        const Report end{-1, 0, 0}; // nothing of this round comes after it
+        if (::write(9, &end, sizeof end) < 0)
+            break;
+    }
+}
+
 TEST_CASE("Killed at 50 random moments the saved file is whole and at most a minute is lost",
           "[editor][autosave]") {
+    const TempDir dir;
+    const fs::path file = dir.path() / "work.fascicle", user = dir.path() / "user";
+    const Helper helper = start_helper(dir.path());
     std::mt19937 random(20260101);
     int kills_with_file = 0, kills_with_copies = 0;
     for (int round = 0; round < 50; ++round) {
-        const TempDir dir;
-        const Helper helper = start_helper(dir.path());
-        Report report = read_reports(helper.reports, true); // it works
-        REQUIRE(report.edits >= 1);
-        std::this_thread::sleep_for(std::chrono::microseconds(random() % 90000));
-        ::kill(helper.pid, SIGKILL);
-        int status = 0;
-        REQUIRE(::waitpid(helper.pid, &status, 0) == helper.pid);
-        REQUIRE(WIFSIGNALED(status));
-        if (const Report more = read_reports(helper.reports, false); more.edits > 0)
-            report = more;
-        ::close(helper.reports);
-
+        fs::remove_all(user);
+        fs::remove(file);
+        REQUIRE(::write(helper.orders, "g", 1) == 1);
+        Report report, next;
+        REQUIRE(read_report(helper.reports, report)); // it works
+        std::this_thread::sleep_for(std::chrono::microseconds(random() % 60000));
+        REQUIRE(::kill(report.pid, SIGKILL) == 0);
+        while (read_report(helper.reports, next) && next.edits >= 0)
+            report = next;
         INFO("round " << round << ", " << report.edits << " edits, " << report.saved << " saved");
         int newest = 0;
-        const fs::path file = dir.path() / "work.fascicle";
         if (fs::exists(file)) {
             const int saved = number_of(read_project_file(file).scene); // whole, or this throws
             CHECK(saved % 13 == 0);
@@ -128,13 +146,17 @@ TEST_CASE("Killed at 50 random moments the saved file is whole and at most a min
         } else {
             CHECK(report.saved == 0);
         }
-        for (const AutosaveSession& session : crashed_sessions(dir.path() / "user")) {
+        for (const AutosaveSession& session : crashed_sessions(user)) {
             newest = std::max(newest, number_of(read_project_file(session.file).scene));
             ++kills_with_copies;
         }
         // The first edit that is nowhere was made at most a minute, and the step in which the copy was due, before the end.
         CHECK((report.edits - newest - 1) * step_seconds <= 60 + step_seconds);
     }
+    ::close(helper.orders);
+    int status = 0;
+    ::waitpid(helper.pid, &status, 0);
+    ::close(helper.reports);
     CHECK(kills_with_file > 5);
     CHECK(kills_with_copies > 5);
 }

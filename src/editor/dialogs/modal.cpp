@@ -4,6 +4,7 @@
 #include "editor/widgets/tool_button.hpp"
 
 #include <algorithm>
+#include <imgui_internal.h>
 
 namespace fascicle::editor {
 
@@ -14,7 +15,7 @@ constexpr float button_width = 124, button_gap = 8;
 } // namespace
 
 bool begin_modal(const EditorContext& context, const char* title, bool& appears, float width, float height) {
-    if (appears) {
+    if (appears && ImGui::GetTopMostPopupModal() == nullptr) { // one question after the other
         ImGui::OpenPopup(title);
         appears = false;
     }
