@@ -23,6 +23,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr int edits_between_saves = 7;
+constexpr double interval = 20;    ///< of the copies: a third of the real one, for short rounds
 constexpr double step_seconds = 7; ///< of the helper's own clock, between two edits
 constexpr const char* helper_test = "Kill helper: edits and saves until it is killed";
 
@@ -75,12 +77,12 @@ void work(Driver& d) {
     for (;;) {
         ++report.edits;
         actions::rename_bone(d.document(), 0, "b" + std::to_string(report.edits));
-        if (report.edits % 13 == 0)
+        if (report.edits % edits_between_saves == 0)
             d.editor().run(editor::Command::save_project);
         d.wait(step_seconds);
         // The clock is the helper's own: time stands still while a thread writes, so that the check needs no patience.
         d.editor().features().autosave.finish();
-        if (report.edits % 13 == 0) {
+        if (report.edits % edits_between_saves == 0) {
             d.editor().features().project.finish();
             d.wait(0.001);
             report.saved = report.edits;
@@ -102,6 +104,8 @@ TEST_CASE("Kill helper: edits and saves until it is killed", "[.]") {
     Scene scene = small_scene();
     scene.bones[0].name = "b0";
     Driver d(std::move(scene), 1280, 800, 1, true, fs::path(folder) / "user");
+    CHECK(d.editor().features().autosave.interval == 60);
+    d.editor().features().autosave.interval = interval;
     d.document().mark_saved(fs::path(folder) / "work.fascicle", nullptr);
     char order = 0;
     while (::read(8, &order, 1) == 1) {
@@ -118,7 +122,7 @@ TEST_CASE("Kill helper: edits and saves until it is killed", "[.]") {
     }
 }
 
-TEST_CASE("Killed at 50 random moments the saved file is whole and at most a minute is lost",
+TEST_CASE("Killed at 50 random moments the saved file is whole and at most the interval of copies is lost",
           "[editor][autosave]") {
     const TempDir dir;
     const fs::path file = dir.path() / "work.fascicle", user = dir.path() / "user";
@@ -131,7 +135,10 @@ TEST_CASE("Killed at 50 random moments the saved file is whole and at most a min
         REQUIRE(::write(helper.orders, "g", 1) == 1);
         Report report, next;
         REQUIRE(read_report(helper.reports, report)); // it works
-        std::this_thread::sleep_for(std::chrono::microseconds(random() % 60000));
+        // Some edits on, and then anywhere in the next one.
+        for (auto more = random() % 16; more > 0; --more)
+            REQUIRE(read_report(helper.reports, report));
+        std::this_thread::sleep_for(std::chrono::microseconds(random() % 3000));
         REQUIRE(::kill(report.pid, SIGKILL) == 0);
         while (read_report(helper.reports, next) && next.edits >= 0)
             report = next;
@@ -139,7 +146,7 @@ TEST_CASE("Killed at 50 random moments the saved file is whole and at most a min
         int newest = 0;
         if (fs::exists(file)) {
             const int saved = number_of(read_project_file(file).scene); // whole, or this throws
-            CHECK(saved % 13 == 0);
+            CHECK(saved % edits_between_saves == 0);
             CHECK(saved >= report.saved); // told to be saved is saved
             newest = saved;
             ++kills_with_file;
@@ -150,8 +157,8 @@ TEST_CASE("Killed at 50 random moments the saved file is whole and at most a min
             newest = std::max(newest, number_of(read_project_file(session.file).scene));
             ++kills_with_copies;
         }
-        // The first edit that is nowhere was made at most a minute, and the step in which the copy was due, before the end.
-        CHECK((report.edits - newest - 1) * step_seconds <= 60 + step_seconds);
+        // The first edit that is nowhere was made at most the interval, and the step in which the copy was due, before the end.
+        CHECK((report.edits - newest - 1) * step_seconds <= interval + step_seconds);
     }
     ::close(helper.orders);
     int status = 0;

@@ -99,7 +99,8 @@ std::optional<double> StartPage::redraw_after() const {
 
 void StartPage::draw_drop_place(const EditorContext& context, float width, float height) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const Rect rect{at, {at.x + width, at.y + height}};
+    const Rect rect{at,
+                    {at.x + width - 1, at.y + height}}; // the last pixel belongs to the border of the child
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImU32 colour = context.theme.text_faint;
     const float dash = context.px(6);
@@ -216,8 +217,10 @@ void StartPage::draw_card(EditorContext& context, Card& card, const Rect& area) 
     const float y = area.min.y + picture + context.px(7), right = area.max.x - pad;
     draw_text_in(list, {{area.min.x + pad, y}, {right, y + line}}, missing ? theme.text_faint : theme.text,
                  facts.title);
-    draw_text_in(list, {{area.min.x + pad, y + line + context.px(1)}, {right, y + 2 * line + context.px(1)}},
-                 missing ? theme.warning : theme.text_faint, missing ? facts.missing : facts.line);
+    const ImVec2 words{area.min.x + pad, y + line + context.px(2)};
+    const ImVec4 clip{words.x, words.y, right, words.y + 2 * line + context.px(1)}; // two lines of it
+    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), words, missing ? theme.warning : theme.text_faint,
+                 (missing ? facts.missing : facts.line).c_str(), nullptr, right - words.x, &clip);
     list.AddRect(area.min, area.max, hovered ? theme.accent : theme.line, context.px(5), 0,
                  hovered ? context.px(1.5f) : 1);
     if (facts.remove && (hovered || missing)) {
@@ -256,7 +259,7 @@ void StartPage::draw_section(EditorContext& context, Section& section, float wid
     const int columns = std::max(1, static_cast<int>((width + gap) / (context.px(card_width) + gap)));
     const float card =
         std::floor((width - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
-    const float height = card * 0.625f + 2 * ImGui::GetTextLineHeight() + context.px(16);
+    const float height = card * 0.625f + 3 * ImGui::GetTextLineHeight() + context.px(18);
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const auto count = static_cast<int>(section.cards.size());
     for (int i = 0; i < count; ++i) {
