@@ -108,7 +108,7 @@ void LocateDialog::draw(EditorContext& context) {
                  (shown.empty() ? "The project" : shown.filename().string()) +
                      " needs files that are not where they were. Show where they are now.");
     const float foot = ImGui::GetFrameHeightWithSpacing() + context.px(14);
-    const float list = std::min(context.px(46) * static_cast<float>(missing_.files.size()), room.y * 0.35f);
+    const float list = std::min(context.px(50) * static_cast<float>(missing_.files.size()), room.y * 0.35f);
     draw_list(context, {room.x, list});
     ImGui::Dummy({1, context.px(2)});
     if (browser_.draw(context, {room.x, ImGui::GetContentRegionAvail().y - foot}))
