@@ -6,6 +6,7 @@
 #include "editor/editor.hpp"
 #include "editor/features.hpp"
 #include "editor/project/project_flow.hpp"
+#include "editor/measure.hpp"
 #include "fascicle/base/build_info.hpp"
 #include "fascicle/base/error.hpp"
 #include "fascicle/io/files.hpp"
@@ -32,6 +33,7 @@ struct EditorCommandLine {
     double scale = 0; ///< 0: the monitor's
     int quit_after = 0;
     bool start = false; ///< the start page first
+    bool measure = false;
 };
 
 constexpr double awake_seconds = 0.8, asleep_seconds = 1.0, text_cursor_seconds = 0.25;
@@ -178,6 +180,9 @@ int parse_and_run(int argc, char** argv) {
                "Size of text and controls, 0.75 to 3 (default: the monitor's)");
     add_whole(app, "--quit-after", options.quit_after, 1, 1000000000, "N",
               "Closes after N pictures; for tests");
+    app.add_flag(
+        "--measure", options.measure,
+        "Prints what the editor's own work costs a frame, idle and while painting; needs no display");
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp& help) {
@@ -189,6 +194,10 @@ int parse_and_run(int argc, char** argv) {
     }
     if (app.count("--scale") > 0 && !(options.scale >= 0.75 && options.scale <= 3))
         throw_error("--scale", "got " + number_text(options.scale), "0.75 to 3", ErrorKind::usage);
+    if (options.measure) {
+        std::cout << editor::to_text(editor::measure_editor());
+        return 0;
+    }
     return run_editor(options);
 }
 

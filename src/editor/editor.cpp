@@ -11,6 +11,7 @@
 #include "editor/widgets/icons.hpp"
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/paint.hpp"
+#include "editor/widgets/tab_strip.hpp"
 #include "fascicle/base/error.hpp"
 #include "fascicle/io/png.hpp"
 
@@ -59,13 +60,12 @@ void Editor::show(RecordingPtr recording) {
 
 void Editor::drop_files(const std::vector<std::filesystem::path>& files) {
     EditorContext c = context();
-    for (const std::filesystem::path& file : files)
-        if (file.extension() == ".fascicle")
-            return open_project(c, file);
-    if (state_.show_start)
+    const bool project = std::any_of(files.begin(), files.end(),
+                                     [](const auto& file) { return file.extension() == ".fascicle"; });
+    if (state_.show_start && !project)
         start_with_meshes(c, files);
     else
-        dialogs_->mesh.open_with(files);
+        features_->loader.drop(files);
 }
 
 EditorContext Editor::context() {
@@ -110,6 +110,8 @@ std::optional<double> Editor::next_redraw() const {
     for (const Feature* feature : features_->all())
         if (const std::optional<double> wish = feature->redraw_after())
             no_later_than(*wish);
+    if (view_ != nullptr && view_->waiting())
+        no_later_than(1.0 / 25);
     if (view_ != nullptr && view_->refinement_pending())
         no_later_than(SceneView::refine_after_seconds / 2);
     return next;
@@ -133,8 +135,16 @@ void Editor::handle_keys() {
         }
         if (row == nullptr || (press.repeat && !row->repeats))
             continue;
+        if (features_->paint.stroke_open() && row->command != Command::escape) {
+            if (row->command == Command::undo) { // takes back what is being painted
+                EditorContext c = context();
+                features_->paint_tool.cancel(c);
+            }
+            continue; // nothing else touches the scene before the button comes up
+        }
         if (row->command == Command::escape && document_.has_uncommitted_edits())
             ImGui::ClearActiveID(); // the drag ends here, whatever the mouse does
+        state_.last_command = static_cast<int>(row->command);
         run(row->command);
     }
 }
@@ -155,6 +165,7 @@ void Editor::replace_document(Document document) {
     state_.tool = Tool::look;
     state_.playback = {};
     state_.camera_slots = {};
+    state_.section = {};
     state_.frame_view_pending = true;
     look_at_muscles(state_.camera, document_.scene());
     EditorContext c = context();
@@ -325,39 +336,20 @@ void Editor::draw_panel(EditorContext& context, const PanelRow& row, const Rect&
 
 void Editor::draw_tabs(EditorContext& context, const std::vector<const PanelRow*>& rows,
                        const PanelRow& front, const Rect& strip) {
-    const Theme& theme = context.theme;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(strip.min, strip.max, theme.header);
-    float x = strip.min.x;
+    std::vector<Tab> tabs;
+    std::size_t active = 0;
     for (const PanelRow* row : rows) {
-        std::string title = row->title;
-        if (std::string_view(row->id) == "messages" && log_.unseen_errors() > 0)
-            title += " (" + std::to_string(log_.unseen_errors()) + ")";
-        const float width = text_size(title).x + context.px(22);
-        const Rect tab{{x, strip.min.y}, {std::min(x + width, strip.max.x), strip.max.y}};
-        const bool active = row == &front;
-        if (rows.size() > 1) {
-            ImGui::SetCursorScreenPos(tab.min);
-            ImGui::PushID(row->id);
-            if (ImGui::InvisibleButton("tab", {std::max(1.0f, tab.width()), tab.height()}))
-                front_panel(row->place) = row->id;
-            record_item(std::string("tab/") + row->id);
-            if (active)
-                list.AddRectFilled({tab.min.x, tab.max.y - context.px(2)}, tab.max, theme.accent);
-            else if (ImGui::IsItemHovered())
-                list.AddRectFilled(tab.min, tab.max, theme.field);
-            ImGui::PopID();
+        if (row == &front)
+            active = tabs.size();
+        Tab tab{row->id, row->title, row->icon, false};
+        if (std::string_view(row->id) == "messages" && log_.unseen_errors() > 0) {
+            tab.title += " (" + std::to_string(log_.unseen_errors()) + ")";
+            tab.alarm = true;
         }
-        const bool alarm = title != row->title;
-        ImGui::PushFont(host_.heading_font());
-        draw_text_in(list, {{tab.min.x + context.px(11), tab.min.y}, {tab.max.x, tab.max.y}},
-                     alarm    ? theme.bad
-                     : active ? theme.text
-                              : theme.text_dim,
-                     title);
-        ImGui::PopFont();
-        x = tab.max.x;
+        tabs.push_back(std::move(tab));
     }
+    if (const int clicked = draw_tab_strip(context, host_.heading_font(), tabs, active, strip); clicked >= 0)
+        front_panel(front.place) = rows[static_cast<std::size_t>(clicked)]->id;
 }
 
 void Editor::write_picture() {

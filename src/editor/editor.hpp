@@ -60,9 +60,10 @@ public:
     const Layout& layout() const { return layout_; } ///< of the last frame
     /// For tests: does what the row of the key table does.
     void run(Command command);
+    /// What panels and commands get.
+    EditorContext context();
 
 private:
-    EditorContext context();
     void handle_keys();
     void follow_run();
     bool acts_on_start_page(const KeyBinding& row) const;

@@ -1,8 +1,16 @@
 #include "editor/editor_context.hpp"
 
+#include "editor/features.hpp"
+
 #include <algorithm>
 
 namespace fascicle::editor {
+
+ShownFrame EditorContext::shown() const {
+    if (const std::optional<ShownFrame> compared = features.compare.shown())
+        return *compared;
+    return runs.at_or_before(playhead());
+}
 
 const Scene& EditorContext::shown_scene() const {
     const ShownFrame frame = shown();

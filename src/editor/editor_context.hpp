@@ -37,8 +37,9 @@ struct EditorContext {
     float px(float length) const { return std::round(length * state.scale); }
     int playhead() const { return state.playback.playhead(); }
     int last_frame() const { return document.scene().timeline.last_frame; }
-    /// What is shown now: the playhead's frame, or the last one before it that exists.
-    ShownFrame shown() const { return runs.at_or_before(playhead()); }
+    /// What is shown now: the playhead's frame, or the last one before it that exists; of run A (blinking: A or B) while
+    /// runs are compared.
+    ShownFrame shown() const;
     /// The scene that the shown frame belongs to; the document's when there is no frame.
     const Scene& shown_scene() const;
     void move_playhead(int frame);

@@ -2,7 +2,10 @@
 // How the scene is looked at: selection, visibility, camera, playhead, colours. Never undone, never saved with
 // the scene.
 
+#include "editor/export_choices.hpp"
 #include "editor/layout.hpp"
+#include "editor/navigation.hpp"
+#include "editor/section.hpp"
 #include "editor/widgets/plot.hpp"
 #include "view/camera.hpp"
 #include "view/colouring.hpp"
@@ -31,16 +34,22 @@ struct FibreRef {
 };
 
 /// What the pointer does in the viewport.
-enum class Tool { look, paint };
+enum class Tool { look, paint, pick_point };
 
 /// What the ruler and the plots' axes show at a frame.
 enum class RulerUnit { frame, seconds, angle };
 
+/// What happens at the end of the frames that are played.
+enum class Repeat { once, loop, ping_pong };
+
 struct Playback {
     bool playing = false;
-    bool loop = true;
-    double speed = 1;    ///< times real time, > 0
-    double position = 0; ///< fractional frame; the playhead is its whole part
+    Repeat repeat = Repeat::loop;
+    double speed = 1;         ///< times real time, -4 to 4 but not 0; negative: backwards
+    bool every_frame = false; ///< leaves no frame out, however long that takes; otherwise real time
+    bool turned = false;      ///< ping-pong: on the way back
+    double position = 0;      ///< fractional frame; the playhead is its whole part
+    std::optional<std::pair<int, int>> range; ///< first and last frame that are played; none: all
     int playhead() const { return static_cast<int>(position); }
 };
 
@@ -50,8 +59,9 @@ struct EditorState {
     std::set<std::string> hidden; ///< names of bones and muscles
     view::Camera camera;
     std::array<std::optional<view::Camera>, 4> camera_slots;
-    bool frame_view_pending = true; ///< fill the view with the scene as soon as its size is known
-    double view_aspect = 1.5;       ///< width over height of the viewport
+    bool frame_view_pending = true;      ///< fill the view with the scene as soon as its size is known
+    double view_aspect = 1.5;            ///< width over height of the viewport
+    int view_width = 1, view_height = 1; ///< its size in pixels
 
     Playback playback;
     RulerUnit ruler = RulerUnit::frame;
@@ -69,6 +79,15 @@ struct EditorState {
     bool attachments = true;
     bool rest_ghost = false; ///< muscles at rest, faint
     bool joint_axis = true;
+    view::ColourScales colour_scales;  ///< ends of the legends
+    float muscle_opacity = 1;          ///< 0 to 1
+    float see_through_opacity = 0.35f; ///< that the muscles go to when they are made transparent
+    float bone_opacity = 1;            ///< 0 to 1
+    bool fibres = true;                ///< where muscles let them be seen
+    bool line_muscles = true;          ///< of the scene's model
+    bool occlusion = true;             ///< surfaces darken each other where they are near
+    Section section;
+    BoundingBox scene_box; ///< whatever may come into view, set by the viewport
 
     LayoutSizes layout;
     std::string bottom_panel = "plots";    ///< id of the panel in front below
@@ -77,8 +96,13 @@ struct EditorState {
     float scale = 1;       ///< of the interface
     float start_scale = 1; ///< what "normal" means
 
+    Navigation navigation = Navigation::fascicle;
+
     bool show_shortcuts = false;
     bool show_start = false; ///< the start page instead of the scene
+    bool presenting = false; ///< larger, full screen
+    int last_command = -1;   ///< Command that a key ran last, for tests and the status line; -1: none
+    ExportChoices exporting; ///< of the export dialog
 
     // Wishes to whoever owns the window.
     bool wants_quit = false;

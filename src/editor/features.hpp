@@ -1,22 +1,42 @@
 #pragma once
 // All features of the editor; EditorContext knows only that there are some.
 
+#include "editor/compare.hpp"
+#include "editor/exporter.hpp"
+#include "editor/file_loader.hpp"
+#include "editor/motion_edit.hpp"
+#include "editor/paint/paint_tool.hpp"
 #include "editor/project/autosave_keeper.hpp"
 #include "editor/project/project_keeper.hpp"
 #include "editor/project/source_watch.hpp"
+#include "editor/run_shelf.hpp"
 #include "editor/scene_opener.hpp"
+#include "editor/settings.hpp"
 #include "editor/start/start_page.hpp"
+#include "editor/viewport/fibre_hover.hpp"
 
 namespace fascicle::editor {
 
 struct Features {
+    SettingsKeeper settings;
     SceneOpener opener;
     ProjectKeeper project;
     AutosaveKeeper autosave;
     SourceWatch watch;
     StartPage start;
+    PaintMode paint;
+    PaintTool paint_tool{paint};
+    RunShelf shelf;
+    Compare compare;
+    Exporter exporter;
+    FibreHover fibre_hover;
+    FileLoader loader;
+    MotionEdit motion;
 
-    std::vector<Feature*> all() { return {&opener, &project, &autosave, &watch, &start}; }
+    std::vector<Feature*> all() {
+        return {&settings, &opener,  &project,  &autosave,    &watch,  &start, &paint,
+                &shelf,    &compare, &exporter, &fibre_hover, &loader, &motion};
+    }
 };
 
 } // namespace fascicle::editor

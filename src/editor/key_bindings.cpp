@@ -4,6 +4,7 @@
 #include "fascicle/base/assert.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 namespace fascicle::editor {
 
@@ -13,8 +14,9 @@ constexpr Modifiers shift{.shift = true};
 
 std::vector<KeyBinding> make_bindings() {
     std::vector<KeyBinding> rows;
-    for (const auto& group :
-         {project_commands, file_commands, edit_commands, timeline_commands, view_commands, show_commands, window_commands}) {
+    for (const auto& group : {project_commands, file_commands, edit_commands, timeline_commands,
+                              view_commands, show_commands, paint_commands, window_commands, compare_commands,
+                              export_commands, display_commands, load_commands}) {
         const std::vector<KeyBinding> more = group();
         rows.insert(rows.end(), more.begin(), more.end());
     }
@@ -43,16 +45,105 @@ std::string key_name(int key) {
         return "End";
     case key_equal:
         return "+";
+    case key_tab:
+        return "Tab";
+    case key_enter:
+        return "Enter";
+    case key_backspace:
+        return "Backspace";
+    case key_insert:
+        return "Ins";
+    case key_up:
+        return "Up";
+    case key_down:
+        return "Down";
+    case key_page_up:
+        return "Page up";
+    case key_page_down:
+        return "Page down";
     default:
-        return std::string(1, static_cast<char>(key));
+        return key > key_space && key < 127 ? std::string(1, static_cast<char>(key)) : std::string();
     }
 }
 
 } // namespace
 
-const std::vector<KeyBinding>& key_bindings() {
-    static const std::vector<KeyBinding> rows = make_bindings();
+namespace {
+
+std::vector<KeyBinding>& rows_in_force() {
+    static std::vector<KeyBinding> rows = make_bindings();
     return rows;
+}
+
+bool act_together(KeysIn a, KeysIn b) {
+    return a == b || a == KeysIn::anywhere || b == KeysIn::anywhere;
+}
+
+} // namespace
+
+const std::vector<KeyBinding>& key_bindings() {
+    return rows_in_force();
+}
+
+std::string command_id(const KeyBinding& row) {
+    std::string id;
+    for (const char* c = row.label; *c != '\0'; ++c)
+        if (std::isalnum(static_cast<unsigned char>(*c)) != 0)
+            id += static_cast<char>(std::tolower(static_cast<unsigned char>(*c)));
+        else if (!id.empty() && id.back() != '-')
+            id += '-';
+    while (!id.empty() && id.back() == '-')
+        id.pop_back();
+    return id;
+}
+
+std::string set_user_keys(const std::string& id, const std::vector<KeyChord>& chords) {
+    std::vector<KeyBinding>& rows = rows_in_force();
+    const auto row =
+        std::find_if(rows.begin(), rows.end(), [&](const KeyBinding& r) { return command_id(r) == id; });
+    if (row == rows.end())
+        return "there is no command '" + id + "'";
+    for (const KeyBinding& other : rows)
+        for (const KeyChord& theirs : other.chords)
+            if (&other != &*row && act_together(other.where, row->where) && theirs.key != key_none &&
+                std::find(chords.begin(), chords.end(), theirs) != chords.end())
+                return "'" + id + "' cannot have " + to_text(theirs) + ", the key of '" + command_id(other) +
+                       "'";
+    row->chords = {};
+    std::copy_n(chords.begin(), std::min(chords.size(), row->chords.size()), row->chords.begin());
+    return {};
+}
+
+void reset_user_keys() {
+    rows_in_force() = make_bindings();
+}
+
+std::optional<KeyChord> parse_chord(std::string_view text) {
+    KeyChord chord;
+    const auto take = [&](std::string_view prefix) {
+        const bool there = text.rfind(prefix, 0) == 0 && text.size() > prefix.size();
+        if (there)
+            text.remove_prefix(prefix.size());
+        return there;
+    };
+    if (text == "?")
+        return KeyChord{key_slash, shift};
+    for (bool more = true; more;) {
+        more = false;
+        for (const auto& [prefix, held] :
+             {std::pair("Ctrl+", &chord.modifiers.ctrl), std::pair("Shift+", &chord.modifiers.shift),
+              std::pair("Alt+", &chord.modifiers.alt)})
+            if (take(prefix))
+                *held = more = true;
+    }
+    for (int key = 1; key < 350; ++key) {
+        const bool printable = key > 32 && key < 127 && std::islower(key) == 0;
+        if ((printable || key == key_space || key >= key_escape) && key_name(key) == text) {
+            chord.key = key;
+            return chord;
+        }
+    }
+    return std::nullopt;
 }
 
 const KeyBinding& binding(Command command) {

@@ -5,7 +5,9 @@
 #include "editor/keys.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fascicle::editor {
@@ -17,8 +19,15 @@ enum class Command {
     save_project_as,
     show_start_page,
     open_file,
+    load_lines,
+    load_attachments,
+    load_surface_fibres,
+    load_fibre_template,
+    show_motion,
     save_picture,
     save_picture_as,
+    export_run,
+    cancel_export,
     quit,
     undo,
     redo,
@@ -32,6 +41,14 @@ enum class Command {
     first_frame,
     last_frame,
     toggle_loop,
+    toggle_ping_pong,
+    toggle_every_frame,
+    loop_from_here,
+    loop_to_here,
+    loop_everything,
+    add_marker,
+    previous_marker,
+    next_marker,
     run_again,
     cancel_run,
     frame_selection,
@@ -64,12 +81,52 @@ enum class Command {
     toggle_rest_ghost,
     toggle_joint_axis,
     next_colouring,
+    toggle_see_through,
+    toggle_fibres,
+    toggle_line_muscles,
+    toggle_occlusion,
+    toggle_section,
+    flip_section,
+    show_display,
     toggle_full_screen,
     toggle_theme,
     larger_interface,
     smaller_interface,
     normal_interface,
+    search_commands,
+    present,
     show_shortcuts,
+    paint_mode,
+    paint_brush,
+    paint_eraser,
+    paint_smooth,
+    paint_smart_fill,
+    paint_bucket,
+    paint_lasso,
+    paint_line,
+    paint_origin,
+    paint_insertion,
+    paint_toggle_eraser,
+    paint_smaller_radius,
+    paint_larger_radius,
+    paint_shrink,
+    paint_grow,
+    paint_mirror,
+    paint_finish_line,
+    paint_line_back,
+    paint_keep_largest,
+    paint_fill_holes,
+    paint_invert,
+    paint_clear,
+    paint_camera,
+    toggle_compare,
+    blink_runs,
+    swap_runs,
+    compare_side_by_side,
+    compare_ghost,
+    compare_blink,
+    compare_difference,
+    load_run,
     escape,
 };
 
@@ -96,6 +153,15 @@ const KeyBinding& binding(Command command);
 /// The row that a chord belongs to, or null.
 const KeyBinding* find_binding(const KeyChord& chord, bool painting = false);
 
+/// Name of a row in the user's key file: its label in lower case with dashes, "one-frame-back".
+std::string command_id(const KeyBinding& row);
+/// Gives the row of that id other keys. Empty when done; otherwise why not: no such row, or a chord that another row has.
+std::string set_user_keys(const std::string& id, const std::vector<KeyChord>& chords);
+/// Every row has its own keys again.
+void reset_user_keys();
+
+/// "Ctrl+Shift+Z" as a chord, as to_text() writes it; nothing when it is none.
+std::optional<KeyChord> parse_chord(std::string_view text);
 /// "Ctrl+Shift+Z"; empty for no key.
 std::string to_text(const KeyChord& chord);
 /// First key of the command as text, for menus; empty when it has none.

@@ -2,6 +2,7 @@
 // A part of the window. A new one is a pair of files in panels/ and a row in panels/registry.cpp.
 
 #include "editor/editor_context.hpp"
+#include "editor/widgets/icons.hpp"
 
 #include <functional>
 #include <memory>
@@ -25,6 +26,7 @@ struct PanelRow {
     bool padded;  ///< content keeps off the borders
     bool scrolls; ///< content may be longer than the place
     std::unique_ptr<Panel> (*make)();
+    Icon icon{"", ""}; ///< where its title has no room
 };
 
 /// In the order of tabs.

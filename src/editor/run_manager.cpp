@@ -69,6 +69,7 @@ void RunManager::show(RecordingPtr recording) {
     retire();
     recording_ = std::move(recording);
     previous_ = nullptr;
+    previous_same_ = false;
     head_ = recording_->scene_ptr();
     outdated_ = stopped_ = false;
 }
@@ -76,6 +77,7 @@ void RunManager::show(RecordingPtr recording) {
 void RunManager::forget() {
     retire();
     recording_ = previous_ = nullptr;
+    previous_same_ = false;
     head_ = nullptr;
     outdated_ = stopped_ = false;
 }
@@ -119,6 +121,7 @@ void RunManager::begin(double now) {
         if (!older_is_longer)
             previous_ = recording_;
     }
+    previous_same_ = previous_ != nullptr && same_problem(previous_->scene(), *head_);
     run_ = start_(head_);
     recording_ = run_->recording();
     started_ = now;
@@ -131,6 +134,12 @@ void RunManager::restart() {
     retire();
     stopped_ = false;
     begin(now_);
+}
+
+void RunManager::compute_on() {
+    if (stopped_ && !running() && !outdated_ && recording_ != nullptr && retired_.empty() &&
+        recording_->state() == RunState::cancelled)
+        restart();
 }
 
 void RunManager::cancel() {
@@ -148,8 +157,10 @@ std::pair<std::string, double> RunManager::progress() const {
 }
 
 ShownFrame RunManager::at(int k) const {
-    if (k < valid_count())
-        return {recording_->frame(k), recording_, FrameState::valid};
+    if (k < valid_count()) {
+        const RecordingPtr& source = k < count(recording_) ? recording_ : previous_;
+        return {source->frame(k), source, FrameState::valid};
+    }
     for (const RecordingPtr& candidate : {recording_, previous_})
         if (k < count(candidate) && same_bodies(candidate->scene(), *head_))
             return {candidate->frame(k), candidate, FrameState::stale};
@@ -162,7 +173,7 @@ ShownFrame RunManager::at_or_before(int k) const {
 }
 
 int RunManager::valid_count() const {
-    return outdated_ ? 0 : count(recording_);
+    return outdated_ ? 0 : std::max(count(recording_), previous_same_ ? count(previous_) : 0);
 }
 
 int RunManager::available_count() const {

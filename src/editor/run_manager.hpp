@@ -37,6 +37,9 @@ public:
     void forget();
     /// Starts from rest at once.
     void restart();
+    /// Goes on after a stop: the same frames come again in the background, bit by bit the same, so those there are stay valid.
+    /// Nothing unless the run of the present scene was stopped.
+    void compute_on();
     /// Stops the run; it is not started again by itself until the scene changes.
     void cancel();
 
@@ -66,6 +69,7 @@ private:
     std::unique_ptr<Run> run_;
     std::vector<std::unique_ptr<Run>> retired_; ///< told to stop, waited for without blocking
     RecordingPtr recording_, previous_;
+    bool previous_same_ = false; ///< its frames are those of the present scene, too
     bool outdated_ = false;
     bool stopped_ = false; ///< by the user
     double changed_ = 0, started_ = 0, now_ = 0;

@@ -4,16 +4,27 @@
 
 namespace fascicle::editor {
 
-PointerAction ViewportPointer::action(int button, bool ctrl, bool shift) {
+/// Of the button that went down; the table of interaction conventions, one column a preset.
+PointerAction ViewportPointer::action(const PointerInput& input) {
+    using A = PointerAction;
+    int button = input.pressed;
+    if (input.navigation == Navigation::blender) {
+        if (button == 0 && (input.alt || input.camera_held))
+            button = 2; // who has no middle button
+        if (button != 2)
+            return A::none;
+        return input.ctrl ? A::zoom : input.shift ? A::pan : A::orbit;
+    }
+    const bool paraview = input.navigation == Navigation::paraview;
     switch (button) {
     case 0:
-        return ctrl ? PointerAction::zoom : shift ? PointerAction::pan : PointerAction::orbit;
+        return input.ctrl ? A::zoom : input.shift ? A::pan : A::orbit;
     case 1:
-        return PointerAction::pan;
+        return paraview ? A::zoom : A::pan;
     case 2:
-        return shift ? PointerAction::pan : PointerAction::orbit;
+        return paraview || input.shift ? A::pan : A::orbit;
     default:
-        return PointerAction::none;
+        return A::none;
     }
 }
 
@@ -22,7 +33,7 @@ ViewportPointer::Result ViewportPointer::update(const PointerInput& input, const
     Result result;
     if (input.pressed >= 0 && button_ < 0) {
         button_ = input.pressed;
-        action_ = action(input.pressed, input.ctrl, input.shift);
+        action_ = action(input);
         dragged_ = false;
         press_x_ = input.x;
         press_y_ = input.y;

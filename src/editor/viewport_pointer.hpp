@@ -1,7 +1,8 @@
 #pragma once
-// What the mouse does to the camera: the default preset. Decides click or drag by distance, so that a slip of the
+// What the mouse does to the camera. Decides click or drag by distance, so that a slip of the
 // hand is no drag.
 
+#include "editor/navigation.hpp"
 #include "view/camera.hpp"
 
 #include <optional>
@@ -15,8 +16,11 @@ struct PointerInput {
     int pressed =
         -1; ///< button that went down in this frame over the view (0 left, 1 right, 2 middle), or -1
     int released = -1; ///< button that came up in this frame, or -1
-    bool ctrl = false, shift = false;
+    bool ctrl = false, shift = false, alt = false;
+    /// The key that gives the pointer to the camera (V): some desktops keep Alt for themselves.
+    bool camera_held = false;
     bool inside = false; ///< the pointer is over the view, and nothing is in front
+    Navigation navigation = Navigation::fascicle;
 };
 
 enum class PointerAction { none, orbit, pan, zoom };
@@ -34,7 +38,7 @@ public:
     bool dragging() const { return button_ >= 0 && dragged_; }
 
 private:
-    static PointerAction action(int button, bool ctrl, bool shift);
+    static PointerAction action(const PointerInput& input);
 
     int button_ = -1;
     bool dragged_ = false;

@@ -99,6 +99,12 @@ void RunReader::read_summary() {
                     scene->parameters.set(key, value.get<double>());
             }
     scene->timeline.last_frame = frames_.back();
+    if (const auto notes = json.find("notes"); notes != json.end() && notes->is_array())
+        for (const io::Json& note : *notes)
+            if (note.is_string())
+                notes_.push_back(note.get<std::string>());
+    if (const auto seconds = json.find("prepare_seconds"); seconds != json.end() && seconds->is_number())
+        prepare_seconds_ = seconds->get<double>();
     scene_ = std::move(scene);
 }
 
@@ -136,16 +142,21 @@ void RunReader::read_motion() {
 
 void RunReader::read_angles() {
     angles_.assign(poses_.size(), 0.0);
+    solve_seconds_.assign(poses_.size(), 0.0);
     const fs::path path = folder_ / "metrics.csv";
     const std::string bytes = read_file(path);
     CsvReader csv(bytes, path.string());
-    const int frame_column = csv.column("frame"), angle_column = csv.column("angle_deg");
+    const int frame_column = csv.column("frame"), angle_column = csv.column("angle_deg"),
+              time_column = csv.column("solve_ms"); // of tables that have it
     if (frame_column < 0 || angle_column < 0)
         csv.fail("a column is missing", "frame,muscle,angle_deg,...");
     while (csv.next_row()) {
         const auto frame = static_cast<std::size_t>(row_frame(csv, frame_column));
-        if (frame < angles_.size())
-            angles_[frame] = csv.number(angle_column) * std::numbers::pi / 180.0;
+        if (frame >= angles_.size())
+            continue;
+        angles_[frame] = csv.number(angle_column) * std::numbers::pi / 180.0;
+        if (double ms = 0; time_column >= 0 && parse_number(csv.cell(time_column), ms))
+            solve_seconds_[frame] = ms / 1000.0;
     }
 }
 
@@ -227,6 +238,7 @@ FramePtr RunReader::read_frame(int frame) const {
     out->index = frame;
     out->angle_rad = angles_[static_cast<std::size_t>(frame)];
     out->bone_poses = poses_[static_cast<std::size_t>(frame)];
+    out->report.solve_seconds = solve_seconds_[static_cast<std::size_t>(frame)];
     for (const Muscle& muscle : scene_->muscles) {
         const fs::path path = folder_ / io::frame_file(muscle.name, frame);
         MeshData data = read_vtp_file(path);
@@ -242,6 +254,9 @@ RecordingPtr RunReader::read_recording(const JobControl& control) const {
     auto recording = std::make_shared<Recording>(scene_);
     recording->set_attachments(attachments_);
     recording->set_fibres(fibres_);
+    for (const std::string& note : notes_)
+        recording->add_note(note);
+    recording->set_prepare_seconds(prepare_seconds_);
     for (std::size_t i = 0; i < frames_.size(); ++i) {
         control.checkpoint("read frames", static_cast<double>(i) / static_cast<double>(frames_.size()));
         recording->append(read_frame(frames_[i]));

@@ -24,6 +24,7 @@
     X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)                                               \
     X(PFNGLCLEARPROC, Clear)                                                                                 \
     X(PFNGLCLEARCOLORPROC, ClearColor)                                                                       \
+    X(PFNGLCLEARSTENCILPROC, ClearStencil)                                                                   \
     X(PFNGLCOLORMASKPROC, ColorMask)                                                                         \
     X(PFNGLCOMPILESHADERPROC, CompileShader)                                                                 \
     X(PFNGLCREATEPROGRAMPROC, CreateProgram)                                                                 \
@@ -68,6 +69,10 @@
     X(PFNGLRENDERBUFFERSTORAGEPROC, RenderbufferStorage)                                                     \
     X(PFNGLSCISSORPROC, Scissor)                                                                             \
     X(PFNGLSHADERSOURCEPROC, ShaderSource)                                                                   \
+    X(PFNGLSTENCILFUNCPROC, StencilFunc)                                                                     \
+    X(PFNGLSTENCILMASKPROC, StencilMask)                                                                     \
+    X(PFNGLSTENCILOPPROC, StencilOp)                                                                         \
+    X(PFNGLSTENCILOPSEPARATEPROC, StencilOpSeparate)                                                         \
     X(PFNGLTEXIMAGE2DPROC, TexImage2D)                                                                       \
     X(PFNGLTEXPARAMETERIPROC, TexParameteri)                                                                 \
     X(PFNGLUNIFORM1FPROC, Uniform1f)                                                                         \

@@ -41,6 +41,7 @@ int MeshBuffer::update(const SurfaceItem& item) {
     const std::size_t vertices = item.positions->size();
     FASCICLE_ASSERT(item.normals == nullptr || item.normals->size() == vertices);
     FASCICLE_ASSERT(item.vertex_colours == nullptr || item.vertex_colours->size() == vertices);
+    FASCICLE_ASSERT(item.live_colours == nullptr || item.live_colours->colours.size() == vertices);
 
     int uploads = 0;
     gl::BindVertexArray(vertex_array_);
@@ -57,12 +58,18 @@ int MeshBuffer::update(const SurfaceItem& item) {
         normals_ = item.normals;
         ++uploads;
     }
-    if (item.vertex_colours != colours_) {
-        if (item.vertex_colours)
+    colours_sent_ = 0;
+    if (item.live_colours != nullptr) {
+        uploads += update_live(item);
+    } else if (live_ != nullptr || item.vertex_colours != colours_) {
+        if (item.vertex_colours) {
             upload_attribute(*item.vertex_colours, colour_buffer_, 2, 4);
-        else
+            colours_sent_ = item.vertex_colours->size();
+        } else {
             gl::DisableVertexAttribArray(2);
+        }
         colours_ = item.vertex_colours;
+        live_ = nullptr;
         ++uploads;
     }
     if (item.triangles != triangles_) {
@@ -80,6 +87,29 @@ int MeshBuffer::update(const SurfaceItem& item) {
     }
     FASCICLE_ASSERT(needed_vertices_ <= vertices);
     return uploads;
+}
+
+int MeshBuffer::update_live(const SurfaceItem& item) {
+    const LiveColours& live = *item.live_colours;
+    if (live_ == item.live_colours && live_revision_ == live.revision)
+        return 0;
+    if (live_ != item.live_colours || live_revision_ < live.known_from) {
+        upload_attribute(live.colours, colour_buffer_, 2, 4);
+        colours_sent_ = live.colours.size();
+    } else {
+        gl::BindBuffer(GL_ARRAY_BUFFER, colour_buffer_);
+        for (const LiveColours::Change& change : live.changes)
+            if (change.revision > live_revision_) {
+                gl::BufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(change.first * sizeof(Rgba)),
+                                  static_cast<GLsizeiptr>(change.count * sizeof(Rgba)),
+                                  live.colours.data() + change.first);
+                colours_sent_ += change.count;
+            }
+    }
+    live_ = item.live_colours;
+    colours_ = nullptr;
+    live_revision_ = live.revision;
+    return 1;
 }
 
 void MeshBuffer::draw() const {

@@ -37,6 +37,20 @@ unsigned make_texture(int width, int height) {
     return texture;
 }
 
+/// Depth and stencil; a texture, so that occlusion can be told from the depth.
+unsigned make_depth(int width, int height) {
+    unsigned texture = 0;
+    gl::GenTextures(1, &texture);
+    gl::BindTexture(GL_TEXTURE_2D, texture);
+    gl::TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH24_STENCIL8, width, height, 0, GL_DEPTH_STENCIL,
+                   GL_UNSIGNED_INT_24_8, nullptr);
+    gl::TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl::TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl::TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl::TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    return texture;
+}
+
 } // namespace
 
 void require_complete_framebuffer(const std::string& what) {
@@ -51,10 +65,9 @@ OffscreenTarget::OffscreenTarget(int width, int height, int supersampling)
     const std::string what = "picture of " + std::to_string(width) + "x" + std::to_string(height) + " pixels";
     if (width < 1 || height < 1)
         throw_error(what, "the size is not possible", "at least 1x1");
-    GLint texture_limit = 0, buffer_limit = 0;
+    GLint texture_limit = 0;
     gl::GetIntegerv(GL_MAX_TEXTURE_SIZE, &texture_limit);
-    gl::GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &buffer_limit);
-    const int limit = std::min(texture_limit, buffer_limit) / supersampling;
+    const int limit = texture_limit / supersampling;
     if (width > limit || height > limit)
         throw_error(what, "too large for the graphics driver",
                     "at most " + std::to_string(limit) + " pixels a side");
@@ -67,9 +80,7 @@ OffscreenTarget::OffscreenTarget(int width, int height, int supersampling)
         texture_ = make_texture(width, height);
         if (supersampling > 1)
             samples_ = make_texture(sample_width, sample_height);
-        gl::GenRenderbuffers(1, &depth_);
-        gl::BindRenderbuffer(GL_RENDERBUFFER, depth_);
-        gl::RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, sample_width, sample_height);
+        depth_ = make_depth(sample_width, sample_height);
 
         gl::GenFramebuffers(1, &framebuffer_);
         gl::BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
@@ -80,7 +91,7 @@ OffscreenTarget::OffscreenTarget(int width, int height, int supersampling)
             gl::BindFramebuffer(GL_FRAMEBUFFER, sample_framebuffer_);
             gl::FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, samples_, 0);
         }
-        gl::FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
+        gl::FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, depth_, 0);
         require_complete_framebuffer(what);
         if (const GLenum error = gl::GetError(); error != GL_NO_ERROR)
             throw_error(what, "the graphics driver refused it (GL error " + std::to_string(error) + ")");
@@ -98,7 +109,7 @@ void OffscreenTarget::release() {
     gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
     gl::DeleteFramebuffers(1, &framebuffer_);
     gl::DeleteFramebuffers(1, &sample_framebuffer_);
-    gl::DeleteRenderbuffers(1, &depth_);
+    gl::DeleteTextures(1, &depth_);
     gl::DeleteTextures(1, &texture_);
     gl::DeleteTextures(1, &samples_);
 }

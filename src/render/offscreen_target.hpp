@@ -1,5 +1,5 @@
 #pragma once
-// A picture in GPU memory to draw into, with a depth buffer, optionally supersampled 2x2.
+// A picture in GPU memory to draw into, with depth and stencil, optionally supersampled 2x2.
 
 #include "render/draw_list.hpp"
 
@@ -30,6 +30,8 @@ public:
     void resolve() const;
     /// GL name of the finished RGBA picture, rows from the bottom (ImGui::Image: uv (0,1) to (1,0)).
     unsigned texture() const { return texture_; }
+    /// GL name of the depth of all samples, for shaders. Not to be read while something is drawn into this with a depth test.
+    unsigned depth_texture() const { return depth_; }
     /// Copies the finished picture into the window's framebuffer `to`, lower left corner at (x, y) in its
     /// pixels.
     void blit_to(unsigned to, int x, int y) const;

@@ -35,6 +35,8 @@ layout(location = 2) in vec4 vertex_colour;
 uniform mat4 model_view;
 uniform mat4 projection;
 uniform mat3 normal_matrix;
+uniform vec4 section; // in view space; (0, 0, 0, 1) without one
+out float gl_ClipDistance[1];
 out Surface {
     vec3 position;
     vec3 normal;
@@ -49,6 +51,7 @@ void main() {
     to_next.normal = normal_matrix * normal;
     to_next.colour = vec4(to_linear(vertex_colour.rgb), vertex_colour.a);
     gl_Position = projection * seen;
+    gl_ClipDistance[0] = dot(section, seen);
 }
 )";
 }
@@ -61,6 +64,8 @@ std::string surface_geometry_glsl() {
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
 uniform vec2 viewport;
+uniform vec4 section;
+out float gl_ClipDistance[1];
 in Surface {
     vec3 position;
     vec3 normal;
@@ -91,6 +96,7 @@ void main() {
         if (visible)
             edge_distance[i] = heights[i];
         gl_Position = gl_in[i].gl_Position;
+        gl_ClipDistance[0] = dot(section, vec4(from_vertex[i].position, 1.0));
         EmitVertex();
     }
     EndPrimitive();
@@ -127,6 +133,7 @@ uniform float opacity;
 uniform int has_normals;
 uniform int orthographic;
 uniform float front_sign;
+uniform vec4 cap; // alpha 0: the inside is lit
 out vec4 result;
 
 vec3 to_srgb(vec3 c) {
@@ -150,6 +157,11 @@ void main() {
     else
         n = normalize(face + vec3(0.0, 0.0, 1e-30));
 
+    // Where a cut solid is not closed its inside shows: as flat as the cut, so that it does not look like another surface.
+    if (!front && cap.a > 0.0) {
+        result = vec4(cap.rgb, from.colour.a * opacity);
+        return;
+    }
     float facing = clamp(dot(n, eye), 0.0, 1.0);
     vec3 key = normalize(vec3(-0.45, 0.62, 0.70));
     vec3 fill = normalize(vec3(0.80, 0.05, 0.45));
@@ -196,12 +208,16 @@ uniform mat4 projection;
 uniform vec2 viewport;
 uniform float width;
 uniform float lift; // towards the eye, in pixels
+uniform vec4 section; // in view space; (0, 0, 0, 1) without one
+out float gl_ClipDistance[1];
 noperspective out vec2 place;
 noperspective out float extent;
 out vec4 colour;
 void main() {
-    vec4 a = projection * (view * vec4(start, 1.0));
-    vec4 b = projection * (view * vec4(end, 1.0));
+    vec4 seen_a = view * vec4(start, 1.0), seen_b = view * vec4(end, 1.0);
+    vec4 a = projection * seen_a, b = projection * seen_b;
+    float kept_a = dot(section, seen_a), kept_b = dot(section, seen_b);
+    gl_ClipDistance[0] = 1.0;
     vec4 colour_a = start_colour, colour_b = end_colour;
     float near_a = a.z + a.w, near_b = b.z + b.w;
     if (near_a < 0.0 && near_b < 0.0) {
@@ -212,12 +228,15 @@ void main() {
         float t = near_a / (near_a - near_b);
         vec4 cut = mix(a, b, t);
         vec4 cut_colour = mix(colour_a, colour_b, t);
+        float cut_kept = mix(kept_a, kept_b, t);
         if (near_a < 0.0) {
             a = cut;
             colour_a = cut_colour;
+            kept_a = cut_kept;
         } else {
             b = cut;
             colour_b = cut_colour;
+            kept_b = cut_kept;
         }
     }
     vec2 pa = 0.5 * viewport * a.xy / a.w, pb = 0.5 * viewport * b.xy / b.w;
@@ -233,6 +252,7 @@ void main() {
     place = vec2(at_end ? size + reach : -reach, side * reach);
     extent = size;
     colour = at_end ? colour_b : colour_a;
+    gl_ClipDistance[0] = at_end ? kept_b : kept_a;
     // Depth of the place `lift` pixels nearer: a pixel spans 2 w / (P11 height) units at clip w (w is 1 when
     // orthographic). z and w are linear in the distance along the view axis, with slopes P22 and P23 (row, column 2).
     float nearer = min(lift * 2.0 * base.w / (projection[1][1] * viewport.y), 0.5 * base.w);
@@ -254,6 +274,30 @@ void main() {
     if (cover <= 0.0)
         discard;
     result = vec4(colour.rgb, colour.a * cover);
+}
+)";
+
+// A square of the section plane, where the stencil says that a solid is cut. Flat, with faint stripes as in drawings, so that it
+// is told from a surface also without colour.
+const char* const cap_vertex_glsl = R"(
+uniform mat4 projection;
+uniform vec4 centre; // view space
+uniform vec4 right;
+uniform vec4 up;
+void main() {
+    vec2 corner = vec2((gl_VertexID & 1) == 0 ? -1.0 : 1.0, (gl_VertexID & 2) == 0 ? -1.0 : 1.0);
+    gl_Position = projection * vec4(centre.xyz + corner.x * right.xyz + corner.y * up.xyz, 1.0);
+}
+)";
+
+const char* const cap_fragment_glsl = R"(
+uniform vec4 cap;
+uniform float pixel_scale;
+out vec4 result;
+void main() {
+    float place = mod(gl_FragCoord.x + gl_FragCoord.y, 9.0 * pixel_scale) / pixel_scale;
+    float stripe = 1.0 - smoothstep(0.7, 1.3, abs(place - 4.5));
+    result = vec4(cap.rgb * (1.0 - 0.14 * stripe), cap.a);
 }
 )";
 

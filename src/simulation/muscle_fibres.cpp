@@ -113,16 +113,4 @@ FibreModelPtr make_fibres(const Scene& scene, const Muscle& muscle, const TriMes
     return std::make_shared<const FibreModel>(method->function(problem));
 }
 
-Polylines polylines_of(const FibreSet& fibres) {
-    Polylines lines;
-    lines.points = fibres.points;
-    const int n = fibres.segments + 1;
-    for (int f = 0; f < fibres.count; ++f) {
-        std::vector<int>& line = lines.lines.emplace_back();
-        for (int j = 0; j < n; ++j)
-            line.push_back(f * n + j);
-    }
-    return lines;
-}
-
 } // namespace fascicle

@@ -1,8 +1,6 @@
 #include "simulation/muscle_fields.hpp"
 
-#include "fascicle/anatomy/anisotropy.hpp"
 #include "fascicle/anatomy/harmonic_field.hpp"
-#include "fascicle/simulation/muscle_fibres.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,30 +26,6 @@ std::vector<double> weights_by_distance(const Muscle& muscle, const std::vector<
 }
 
 } // namespace
-
-Points muscle_edge_tangents(const Scene& scene, const Muscle& muscle, const MeshTopology& topology,
-                            const std::vector<Attachment>& attachments, const FibreModel* fibres,
-                            bool harmonic) {
-    if (muscle.surface_fibres)
-        return edge_tangents_from_fibres(*muscle.mesh, topology, *muscle.surface_fibres);
-    if (fibres != nullptr)
-        return edge_tangents_from_fibres(*muscle.mesh, topology, polylines_of(fibres->rest));
-    std::vector<bool> fixed(muscle.mesh->positions.size(), false);
-    std::vector<double> values(fixed.size(), 0.0);
-    bool low = false, high = false;
-    for (const Attachment& attachment : attachments) {
-        const double value = attachment_end(scene, attachment) == AttachmentKind::insertion ? 1.0 : 0.0;
-        (value > 0.5 ? high : low) = true;
-        for (const int v : attachment.vertices) {
-            fixed[static_cast<std::size_t>(v)] = true;
-            values[static_cast<std::size_t>(v)] = value;
-        }
-    }
-    if (!harmonic || !low || !high)
-        return {};
-    const std::vector<double> field = solve_harmonic(*muscle.mesh, topology, fixed, values, 1);
-    return edge_tangents_from_field(*muscle.mesh, topology, field);
-}
 
 std::vector<double> edge_alignment(const TriMesh& mesh, const MeshTopology& topology,
                                    const Points& tangents) {

@@ -1,18 +1,12 @@
 #pragma once
-// Fields on a muscle's surface that follow from its attachments: fibre directions and carry weights.
+// Fields on a muscle's surface that follow from its attachments: alignment of edges and carry weights.
 
 #include "fascicle/geometry/mesh_topology.hpp"
+#include "fascicle/scene/muscle_stiffness.hpp"
 #include "fascicle/scene/recording.hpp"
 #include "simulation/resolve_attachments.hpp"
 
 namespace fascicle {
-
-/// Unit tangents of the fibres at each edge, zero where none is known: from the superficial fibres, else from the muscle's `fibres`
-/// (null: it has none), else from the harmonic field between origin (0) and insertion (1) when `harmonic` allows. Empty when there
-/// is neither.
-Points muscle_edge_tangents(const Scene& scene, const Muscle& muscle, const MeshTopology& topology,
-                            const std::vector<Attachment>& attachments, const FibreModel* fibres,
-                            bool harmonic);
 
 /// (u . v)^2 per edge, u its direction at rest, v its tangent; 0 where the tangent is zero. Empty without tangents.
 std::vector<double> edge_alignment(const TriMesh& mesh, const MeshTopology& topology, const Points& tangents);

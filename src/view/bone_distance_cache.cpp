@@ -30,7 +30,7 @@ std::shared_ptr<const SolidQuery> BoneDistanceCache::solid(std::size_t bone, con
 }
 
 BoneDistances BoneDistanceCache::distances(const Scene& scene, std::size_t muscle, const PointsPtr& points,
-                                           const std::vector<Pose>& poses) {
+                                           const std::vector<Pose>& poses, double reach) {
     FASCICLE_ASSERT(points != nullptr && poses.size() == scene.bones.size());
     if (muscle >= muscles_.size())
         muscles_.resize(muscle + 1);
@@ -40,15 +40,17 @@ BoneDistances BoneDistanceCache::distances(const Scene& scene, std::size_t muscl
         bones.push_back(bone.mesh);
     const double mm = millimetres_per_unit(scene.unit);
     const bool same_size = entry.points != nullptr && entry.points->size() == points->size();
-    if (!entry.measure || entry.bones != bones || entry.millimetres_per_unit != mm || !same_size) {
+    if (!entry.measure || entry.bones != bones || entry.millimetres_per_unit != mm || entry.reach != reach ||
+        !same_size) {
         std::vector<std::shared_ptr<const SolidQuery>> solids;
         for (std::size_t b = 0; b < bones.size(); ++b)
             solids.push_back(solid(b, bones[b]));
         entry = {};
         entry.bones = bones;
         entry.millimetres_per_unit = mm;
+        entry.reach = reach;
         entry.measure =
-            std::make_unique<BoneDistanceMeasure>(std::move(solids), mm, reach_mm, hardware_threads());
+            std::make_unique<BoneDistanceMeasure>(std::move(solids), mm, reach, hardware_threads());
     }
     if (!entry.distances || entry.points != points || !same(entry.poses, poses)) {
         entry.distances =

@@ -12,13 +12,13 @@ using BoneDistances = std::shared_ptr<const std::vector<BoneDistance>>;
 /// makes its neighbours fast. Nothing is made before it is asked for. Not thread-safe.
 class BoneDistanceCache {
 public:
-    /// Distances beyond this are cut: more than any colour scale shows.
+    /// Distances beyond this are cut, where nothing else is asked for.
     static constexpr double reach_mm = 10.0;
 
     /// points: of the muscle; poses: one per bone of the scene. The same array as before when nothing has changed.
-    /// Bones without a mesh are nowhere.
+    /// Bones without a mesh are nowhere. reach > 0, mm: distances beyond are cut.
     BoneDistances distances(const Scene& scene, std::size_t muscle, const PointsPtr& points,
-                            const std::vector<Pose>& poses);
+                            const std::vector<Pose>& poses, double reach = reach_mm);
 
     /// How many arrays and trees were computed so far.
     int computed() const { return computed_; }
@@ -26,7 +26,7 @@ public:
 private:
     struct Entry {
         std::vector<MeshPtr> bones; ///< that `measure` is about
-        double millimetres_per_unit = 0;
+        double millimetres_per_unit = 0, reach = 0;
         std::unique_ptr<BoneDistanceMeasure> measure;
         PointsPtr points;
         std::vector<Pose> poses;

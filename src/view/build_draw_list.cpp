@@ -9,7 +9,14 @@ namespace fascicle::view {
 
 namespace {
 
+/// Of what is not being painted: it lets the bone through and still tells where things are.
+constexpr float faded_opacity = 0.16f;
+
+/// How far other surfaces take light away, as a share of the scene's diagonal.
+constexpr double occlusion_reach = 0.06;
+
 constexpr std::uint64_t ghost_ids = std::uint64_t{3} << 32;
+constexpr std::uint64_t compared_ids = std::uint64_t{0x43} << 32;
 
 render::Mat4f model_matrix(const Pose& pose) {
     render::Mat4f m{};
@@ -35,6 +42,16 @@ const std::vector<Attachment>& attachments_of(const ViewSubject& subject, std::s
                                                : subject.scene->muscles[muscle].attachments;
 }
 
+/// Of another run; null: none.
+PointsPtr compared_points(const ViewSubject& subject, const ViewOptions& options, std::size_t muscle) {
+    return options.compared != Compared::none && muscle < subject.compared.size() ? subject.compared[muscle]
+                                                                                  : nullptr;
+}
+
+FibreModelPtr fibres_of(const ViewSubject& subject, std::size_t muscle) {
+    return muscle < subject.fibres.size() ? subject.fibres[muscle] : nullptr;
+}
+
 /// Colours of the chosen quantity; null: the item's one colour.
 FloatColours muscle_colours(const ViewSubject& subject, const ViewOptions& options, DrawCache& cache,
                             std::size_t i, const render::Rgba& base) {
@@ -45,17 +62,32 @@ FloatColours muscle_colours(const ViewSubject& subject, const ViewOptions& optio
     const auto poses = [&] {
         return subject.frame ? subject.frame->bone_poses : std::vector<Pose>(scene.bones.size());
     };
+    if (const PointsPtr other = compared_points(subject, options, i);
+        other != nullptr && options.compared == Compared::difference)
+        return cache.difference_colours(i, muscle.mesh, points, other, millimetres_per_unit(scene.unit),
+                                        options.difference_scale);
+    const ColourScale& scale = options.scales[options.colouring];
+    const auto field = [&](RestField which) {
+        return cache.field_colours(which, {subject.scene, i, attachments, fibres_of(subject, i)}, scale);
+    };
     switch (options.colouring) {
     case Colouring::anatomy:
     case Colouring::fibres:
         break;
     case Colouring::strain:
-        return cache.extension_colours(i, muscle.mesh, muscle_points(subject.rest, muscle, i), points,
-                                       options.strain_scale);
+        return cache.extension_colours(i, muscle.mesh, muscle_points(subject.rest, muscle, i), points, scale);
+    case Colouring::dihedral:
+        return cache.dihedral_colours(i, muscle.mesh, muscle_points(subject.rest, muscle, i), points, scale);
     case Colouring::depth:
-        return cache.depth_colours(scene, i, points, poses(), options.depth_scale);
+        return cache.depth_colours(scene, i, points, poses(), scale);
+    case Colouring::distance:
+        return cache.distance_colours(scene, i, points, poses(), scale);
     case Colouring::contact:
         return cache.contact_colours(scene, i, points, poses(), attachments);
+    case Colouring::stiffness:
+        return field(RestField::stiffness);
+    case Colouring::harmonic:
+        return field(RestField::harmonic);
     }
     if (options.attachments && !attachments.empty())
         return cache.attachment_colours(i, muscle.mesh, attachments, base);
@@ -75,6 +107,58 @@ void require_fitting(const Scene& scene, const FramePtr& frame) {
     FASCICLE_ASSERT(frame->muscle_positions.size() == scene.muscles.size());
 }
 
+const ShownAreas& areas_of(const ViewSubject& subject, DrawCache& cache) {
+    return subject.areas ? subject.areas : cache.scene_areas(subject.scene);
+}
+
+bool has_marks(const ViewSubject& subject, std::size_t bone, DrawCache& cache) {
+    const auto here = [&](int b) { return b == static_cast<int>(bone); };
+    for (const ShownArea& shown : *areas_of(subject, cache))
+        if (here(shown.area.bone))
+            return true;
+    if (subject.highlights != nullptr)
+        for (const BoneHighlight& highlight : *subject.highlights)
+            if (here(highlight.bone))
+                return true;
+    return false;
+}
+
+/// Lines have no matrix of their own.
+FloatPoints placed(const std::vector<render::Vec3f>& points, const render::Mat4f& m) {
+    auto result = std::make_shared<std::vector<render::Vec3f>>();
+    result->reserve(points.size());
+    for (const render::Vec3f& p : points)
+        result->push_back({m[0] * p[0] + m[4] * p[1] + m[8] * p[2] + m[12],
+                           m[1] * p[0] + m[5] * p[1] + m[9] * p[2] + m[13],
+                           m[2] * p[0] + m[6] * p[1] + m[10] * p[2] + m[14]});
+    return result;
+}
+
+/// Dots, faintly over what hides them too: a segment without length is drawn as a disc.
+void add_marked_vertices(render::DrawList& list, const ViewSubject& subject) {
+    if (subject.marked == nullptr || subject.marked->muscle < 0 ||
+        static_cast<std::size_t>(subject.marked->muscle) >= subject.scene->muscles.size())
+        return;
+    const auto m = static_cast<std::size_t>(subject.marked->muscle);
+    const PointsPtr points = muscle_points(subject.frame, subject.scene->muscles[m], m);
+    auto ends = std::make_shared<std::vector<render::Vec3f>>();
+    for (const int v : subject.marked->vertices)
+        if (v >= 0 && static_cast<std::size_t>(v) < points->size()) {
+            const Vec3& p = (*points)[static_cast<std::size_t>(v)];
+            ends->insert(ends->end(), 2, {float(p.x()), float(p.y()), float(p.z())});
+        }
+    if (ends->empty())
+        return;
+    render::LineItem line;
+    line.points = ends;
+    line.colour = palette::fixed_vertex;
+    line.width_px = 4.0f;
+    list.lines.push_back(line);
+    line.colour[3] = 0.35f;
+    line.on_top = true;
+    list.lines.push_back(std::move(line));
+}
+
 void add_bones(render::DrawList& list, const ViewSubject& subject, const ViewOptions& options,
                DrawCache& cache) {
     for (std::size_t i = 0; i < subject.scene->bones.size(); ++i) {
@@ -88,12 +172,53 @@ void add_bones(render::DrawList& list, const ViewSubject& subject, const ViewOpt
         item.normals = arrays.normals;
         item.triangles = cache.triangles(i, true, mesh);
         item.colour = static_cast<int>(i) == options.selected_bone ? brighter(palette::bone) : palette::bone;
-        item.colour[3] = options.bone_opacity;
+        const bool faded = options.focus_bone >= 0 && options.focus_bone != static_cast<int>(i);
         item.model = model_matrix(bone_pose(subject, i));
+        if (options.attachments && has_marks(subject, i, cache)) {
+            const AreaMarks& marks =
+                cache.bone_marks(i, mesh, areas_of(subject, cache), subject.highlights, item.colour);
+            item.live_colours = marks.colours();
+            if (!marks.border_points()->empty()) {
+                render::LineItem line;
+                line.points = placed(*marks.border_points(), item.model);
+                line.point_colours = marks.border_colours();
+                line.width_px = options.focus_bone == static_cast<int>(i) ? 2.5f : 1.8f;
+                list.lines.push_back(std::move(line));
+            }
+        }
+        item.colour[3] = faded ? std::min(options.bone_opacity, faded_opacity) : options.bone_opacity;
         item.gloss = 0.12f;
         item.wireframe = options.wireframe;
+        item.cap = palette::cut_bone;
         list.surfaces.push_back(std::move(item));
     }
+}
+
+/// Another run's muscle over this one.
+void add_compared(render::DrawList& list, const ViewSubject& subject, const ViewOptions& options,
+                  DrawCache& cache, std::size_t i) {
+    const MeshPtr& mesh = subject.scene->muscles[i].mesh;
+    const PointsPtr other = compared_points(subject, options, i);
+    if (other == nullptr || options.compared == Compared::difference)
+        return;
+    if (options.compared == Compared::wire) {
+        render::LineItem line;
+        line.points = cache.compared_edges(i, mesh, other);
+        line.colour = palette::compared;
+        line.colour[3] = 0.35f; // a fine mesh would cover all
+        line.width_px = 1.0f;
+        list.lines.push_back(std::move(line));
+        return;
+    }
+    const SurfaceArrays arrays = cache.compared_surface(i, mesh, other);
+    render::SurfaceItem item;
+    item.id = compared_ids | i;
+    item.positions = arrays.positions;
+    item.normals = arrays.normals;
+    item.triangles = cache.triangles(i, false, mesh);
+    item.colour = palette::compared;
+    item.gloss = 0.1f;
+    list.surfaces.push_back(std::move(item));
 }
 
 void add_muscle(render::DrawList& list, const ViewSubject& subject, const ViewOptions& options,
@@ -113,15 +238,23 @@ void add_muscle(render::DrawList& list, const ViewSubject& subject, const ViewOp
     item.colour =
         static_cast<int>(i) == options.selected_muscle ? brighter(palette::muscle) : palette::muscle;
     item.vertex_colours = muscle_colours(subject, options, cache, i, item.colour);
-    const FibreModelPtr fibres = i < subject.fibres.size() && options.fibres ? subject.fibres[i] : nullptr;
-    const bool through = options.colouring == Colouring::fibres && fibres != nullptr;
-    item.colour[3] = through ? std::min(options.muscle_opacity, 0.25f) : options.muscle_opacity;
+    if (item.vertex_colours == nullptr && colouring_row(options.colouring).has_scale() &&
+        options.colouring != Colouring::fibres)
+        item.colour = palette::no_value;
+    item.cap = palette::cut_muscle;
+    const FibreModelPtr fibres = options.fibres ? fibres_of(subject, i) : nullptr;
+    const bool through = options.colouring == Colouring::fibres && fibres != nullptr &&
+                         options.compared != Compared::difference;
+    const bool faded = options.focus_bone >= 0;
+    item.colour[3] = faded     ? std::min(options.muscle_opacity, faded_opacity)
+                     : through ? std::min(options.muscle_opacity, 0.25f)
+                               : options.muscle_opacity;
     if (through && item.vertex_colours == nullptr)
         item.gloss = 0.0f;
-    if (fibres != nullptr && item.colour[3] < 1.0f) {
-        const BorderLines lines =
-            cache.fibre_lines(i, muscle.mesh, fibres, rest, points,
-                              options.colouring == Colouring::fibres ? &options.stretch_scale : nullptr);
+    if (fibres != nullptr && item.colour[3] < 1.0f && !faded) {
+        const BorderLines lines = cache.fibre_lines(
+            i, muscle.mesh, fibres, rest, points,
+            options.colouring == Colouring::fibres ? &options.scales[Colouring::fibres] : nullptr);
         render::LineItem line;
         line.points = lines.points;
         line.point_colours = lines.colours;
@@ -130,11 +263,12 @@ void add_muscle(render::DrawList& list, const ViewSubject& subject, const ViewOp
         list.lines.push_back(std::move(line));
     }
     // A highlight would hide the colour that is read as a number.
-    item.gloss = options.colouring == Colouring::anatomy ? 0.42f : 0.1f;
+    const bool plain = options.colouring == Colouring::anatomy && options.compared != Compared::difference;
+    item.gloss = plain ? 0.42f : 0.1f;
     item.wireframe = options.wireframe;
     list.surfaces.push_back(std::move(item));
 
-    if (options.attachments && !attachments.empty()) {
+    if (options.attachments && !attachments.empty() && !faded) {
         const BorderLines border = cache.attachment_border(i, muscle.mesh, attachments, points);
         if (!border.points->empty()) {
             render::LineItem line;
@@ -144,6 +278,7 @@ void add_muscle(render::DrawList& list, const ViewSubject& subject, const ViewOp
             list.lines.push_back(std::move(line));
         }
     }
+    add_compared(list, subject, options, cache, i);
     if (options.rest_ghost && subject.frame && subject.rest && points != rest) {
         const SurfaceArrays ghost = cache.ghost_surface(i, muscle.mesh, rest);
         render::SurfaceItem faint;
@@ -235,10 +370,18 @@ render::DrawList build_draw_list(const ViewSubject& subject, const ViewOptions& 
     require_fitting(*subject.scene, subject.rest);
     render::DrawList list;
     list.camera = camera;
+    if (options.section) {
+        const Vec3 n = -options.section->normal;
+        list.section = {static_cast<float>(n.x()), static_cast<float>(n.y()), static_cast<float>(n.z()),
+                        static_cast<float>(options.section->position)};
+    }
+    if (const BoundingBox box = cache.rest_bounds(*subject.scene); options.occlusion && !box.empty())
+        list.occlusion_radius = static_cast<float>(occlusion_reach * box.diagonal());
     add_bones(list, subject, options, cache);
     for (std::size_t i = 0; i < subject.scene->muscles.size(); ++i)
         if (options.muscle_visible(i) && subject.scene->muscles[i].mesh)
             add_muscle(list, subject, options, cache, i);
+    add_marked_vertices(list, subject);
     add_line_muscles(list, subject, options, cache);
     add_joint_axis(list, subject, options, cache);
     return list;

@@ -4,6 +4,7 @@
 #include "view/camera.hpp"
 #include "view/colouring.hpp"
 #include "view/draw_cache.hpp"
+#include "view/section_plane.hpp"
 
 namespace fascicle::view {
 
@@ -16,11 +17,27 @@ struct ViewSubject {
     std::vector<std::vector<Attachment>> attachments;
     /// Fibres of the run, one a muscle, null or missing: none.
     std::vector<FibreModelPtr> fibres{};
+    /// Areas on bones; null: those stored in the scene.
+    ShownAreas areas{};
+    /// What a paint tool would change; null: nothing.
+    std::shared_ptr<const std::vector<BoneHighlight>> highlights{};
+    /// Muscle vertices to mark with dots; null: none.
+    struct MarkedVertices {
+        int muscle = -1;
+        std::vector<int> vertices;
+    };
+    std::shared_ptr<const MarkedVertices> marked{};
+    /// Of another run at the same frame, one a muscle of this scene with as many vertices; null or missing: none.
+    std::vector<PointsPtr> compared{};
 };
 /// A scene before any run.
 ViewSubject subject_of(ScenePtr scene);
 /// Frame k of a run, the last one when k is beyond it; at rest when there is no frame yet.
 ViewSubject subject_of(const Recording& recording, int k);
+
+/// How the muscles of another run are shown: not at all, translucent over these, as their edges over these, or by
+/// colouring these by the distance between the same vertices.
+enum class Compared { none, ghost, wire, difference };
 
 struct ViewOptions {
     /// By index of the scene's bones and muscles; missing entries are shown.
@@ -28,22 +45,27 @@ struct ViewOptions {
     bool attachments =
         true; ///< areas coloured and outlined; with another colouring than anatomy the outlines alone
     Colouring colouring = Colouring::anatomy;
-    /// Legend: strain_scale.colour(value) and legend_ticks(strain_scale).
-    ColourScale strain_scale{ColourMap::diverging, 0.75, 1.25};
-    /// Signed distance to the nearest bone, mm: red inside, grey at the surface, blue away from it. Within
-    /// +-BoneDistanceCache::reach_mm.
-    ColourScale depth_scale{ColourMap::diverging, -1.0, 5.0, 0.0, true};
-    /// Length over rest length of the fibres' segments.
-    ColourScale stretch_scale{ColourMap::diverging, 0.7, 1.3, 1.0};
+    /// Legend: scales[colouring].colour(value) and legend_ticks(scales[colouring]).
+    ColourScales scales;
     bool fibres = true; ///< where the muscle lets them be seen: translucent, or coloured by them
     bool joint_axis = true;
     bool line_muscles = true; ///< of the scene's model, as lines
     bool rest_ghost = false;  ///< muscles at rest, faint, behind those of a later frame
     bool wireframe = false;
+    int focus_bone = -1; ///< while it is painted: all else is faded; -1: none
+    Compared compared = Compared::none;
+    /// Distance to the other run, mm.
+    ColourScale difference_scale{ColourMap::viridis, 0.0, 5.0};
+    bool occlusion = false; ///< shade from the neighbourhood; costs time
+    std::optional<SectionPlane> section;
     float bone_opacity = 1.0f;
     float muscle_opacity = 1.0f;
     int selected_bone = -1, selected_muscle = -1; ///< drawn brighter; -1: none
 
+    /// Whether fibres of a muscle are to be seen through its surface.
+    bool fibres_visible() const {
+        return fibres && (colouring == Colouring::fibres || muscle_opacity < 1.0f);
+    }
     bool bone_visible(std::size_t i) const { return i >= hidden_bones.size() || !hidden_bones[i]; }
     bool muscle_visible(std::size_t i) const { return i >= hidden_muscles.size() || !hidden_muscles[i]; }
     bool operator==(const ViewOptions&) const = default;

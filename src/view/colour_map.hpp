@@ -50,7 +50,12 @@ inline constexpr Rgba attachment{0.95f, 0.66f, 0.15f, 1.0f}; ///< kind unknown
 inline constexpr Rgba joint_axis{0.10f, 0.45f, 0.30f, 1.0f};
 inline constexpr Rgba line_muscle{0.10f, 0.24f, 0.45f, 1.0f};
 inline constexpr Rgba fibre{0.55f, 0.12f, 0.14f, 1.0f};
+inline constexpr Rgba fixed_vertex{0.10f, 0.62f, 0.30f, 1.0f};
+inline constexpr Rgba cut_muscle{0.50f, 0.13f, 0.14f, 1.0f}; ///< flat, where a section plane cuts
+inline constexpr Rgba cut_bone{0.83f, 0.72f, 0.52f, 1.0f};
+inline constexpr Rgba no_value{0.56f, 0.59f, 0.63f, 1.0f}; ///< muscles that a colouring says nothing of
 inline constexpr Rgba ghost{0.45f, 0.48f, 0.55f, 0.25f};
+inline constexpr Rgba compared{0.00f, 0.45f, 0.70f, 0.45f}; ///< muscles of another run over those shown
 } // namespace palette
 
 } // namespace fascicle::view

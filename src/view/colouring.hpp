@@ -3,11 +3,13 @@
 
 #include "view/colour_map.hpp"
 
+#include <array>
 #include <span>
 
 namespace fascicle::view {
 
-enum class Colouring { anatomy, strain, depth, contact, fibres };
+enum class Colouring { anatomy, strain, dihedral, depth, distance, contact, stiffness, harmonic, fibres };
+inline constexpr std::size_t colouring_count = static_cast<std::size_t>(Colouring::fibres) + 1;
 
 struct ColouringRow {
     Colouring colouring;
@@ -15,11 +17,33 @@ struct ColouringRow {
     const char* label;  ///< in the interface
     const char* legend; ///< over the colour bar, with the unit; empty without a bar
     const char* help;   ///< one sentence
+    const char* unit;   ///< of the scale; "" for a ratio
+    ColourScale scale;  ///< as long as nobody sets another; meaningless without a bar
+    double least, most; ///< what the ends of a scale may be
+    bool has_scale() const { return *legend != '\0'; }
 };
 
 /// In the order of Colouring.
 std::span<const ColouringRow> colourings();
 const ColouringRow& colouring_row(Colouring colouring);
+
+/// One scale for every colouring, at first those of the table.
+class ColourScales {
+public:
+    ColourScales();
+    ColourScale& operator[](Colouring colouring) { return scales_[static_cast<std::size_t>(colouring)]; }
+    const ColourScale& operator[](Colouring colouring) const {
+        return scales_[static_cast<std::size_t>(colouring)];
+    }
+    bool operator==(const ColourScales&) const = default;
+
+private:
+    std::array<ColourScale, colouring_count> scales_;
+};
+
+/// Sets the ends, within the row's limits and around the scale's middle, with some range left between them. An end that is no number
+/// stays as it was.
+void set_range(ColourScale& scale, const ColouringRow& row, double low, double high);
 
 /// Where a vertex is, for the eye: `touching` is within touching_mm of a bone, outside or inside, and free to slide;
 /// `inside` is deeper than that.

@@ -3,6 +3,7 @@
 #include "fascicle/anatomy/fibre_shape.hpp"
 #include "fascicle/base/assert.hpp"
 #include "fascicle/geometry/vertex_normals.hpp"
+#include "fascicle/metrics/run_difference.hpp"
 #include "view/colouring.hpp"
 #include "view/vertex_extension.hpp"
 
@@ -118,6 +119,51 @@ SurfaceArrays DrawCache::ghost_surface(std::size_t muscle, const MeshPtr& mesh, 
         entry.ghost_points = rest;
     }
     return entry.ghost;
+}
+
+SurfaceArrays DrawCache::compared_surface(std::size_t muscle, const MeshPtr& mesh,
+                                          const PointsPtr& compared) {
+    Object& entry = object(muscles_, muscle, mesh);
+    if (entry.compared_points != compared) {
+        entry.compared = make_surface(*compared, *mesh);
+        entry.compared_points = compared;
+    }
+    return entry.compared;
+}
+
+FloatPoints DrawCache::compared_edges(std::size_t muscle, const MeshPtr& mesh, const PointsPtr& compared) {
+    Object& entry = object(muscles_, muscle, mesh);
+    if (entry.edges_points == compared)
+        return entry.compared_edges;
+    auto ends = std::make_shared<std::vector<render::Vec3f>>();
+    const std::vector<Edge>& edges = topology(entry).edges();
+    ends->reserve(2 * edges.size());
+    for (const Edge& edge : edges)
+        for (const int v : {edge.a, edge.b})
+            ends->push_back(narrow((*compared)[static_cast<std::size_t>(v)]));
+    entry.compared_edges = ends;
+    entry.edges_points = compared;
+    ++computed_;
+    return ends;
+}
+
+FloatColours DrawCache::difference_colours(std::size_t muscle, const MeshPtr& mesh, const PointsPtr& points,
+                                           const PointsPtr& compared, double millimetres_per_unit,
+                                           const ColourScale& scale) {
+    Object& entry = object(muscles_, muscle, mesh);
+    if (entry.difference_colours && entry.difference_points == points &&
+        entry.difference_compared == compared && entry.difference_scale == scale)
+        return entry.difference_colours;
+    auto colours = std::make_shared<std::vector<render::Rgba>>();
+    colours->reserve(points->size());
+    for (const double mm : vertex_distances_mm(*points, *compared, millimetres_per_unit))
+        colours->push_back(scale.colour(mm));
+    entry.difference_colours = colours;
+    entry.difference_points = points;
+    entry.difference_compared = compared;
+    entry.difference_scale = scale;
+    ++computed_;
+    return colours;
 }
 
 BoundingBox DrawCache::rest_bounds(const Scene& scene) {
@@ -273,6 +319,37 @@ FloatPoints DrawCache::line_paths(const ScenePtr& scene, const FramePtr& frame) 
     line_paths_ = ends;
     ++computed_;
     return line_paths_;
+}
+
+const ShownAreas& DrawCache::scene_areas(const ScenePtr& scene) {
+    if (scene_areas_ == nullptr || areas_scene_ != scene) {
+        std::vector<std::vector<AttachmentArea>> by_muscle;
+        for (const Muscle& muscle : scene->muscles)
+            by_muscle.push_back(muscle.areas);
+        scene_areas_ = shown_areas(by_muscle);
+        areas_scene_ = scene;
+    }
+    return scene_areas_;
+}
+
+const AreaMarks& DrawCache::bone_marks(std::size_t bone, const MeshPtr& mesh, const ShownAreas& areas,
+                                       const std::shared_ptr<const std::vector<BoneHighlight>>& highlights,
+                                       const render::Rgba& base) {
+    if (bone >= bone_marks_.size())
+        bone_marks_.resize(bone + 1);
+    BoneMarks& own = bone_marks_[bone];
+    const bool fresh = own.marks == nullptr || own.marks->mesh() != mesh;
+    if (fresh)
+        own.marks = std::make_unique<AreaMarks>(mesh);
+    if (fresh || own.areas != areas || own.highlights != highlights || own.base != base) {
+        static const std::vector<BoneHighlight> none;
+        own.marks->update(static_cast<int>(bone), *areas, highlights ? *highlights : none, base);
+        own.areas = areas;
+        own.highlights = highlights;
+        own.base = base;
+        ++computed_;
+    }
+    return *own.marks;
 }
 
 BorderLines DrawCache::attachment_border(std::size_t muscle, const MeshPtr& mesh,

@@ -6,9 +6,12 @@
 #include "fascicle/metrics/line_tracker.hpp"
 #include "fascicle/scene/recording.hpp"
 #include "render/draw_list.hpp"
+#include "view/area_marks.hpp"
 #include "view/attachment_marks.hpp"
 #include "view/bone_distance_cache.hpp"
 #include "view/colour_map.hpp"
+#include "view/rest_fields.hpp"
+#include "view/vertex_means.hpp"
 
 namespace fascicle::view {
 
@@ -44,9 +47,26 @@ public:
     /// Signed distance to the nearest bone, mm, through the scale. poses: one per bone of the scene.
     FloatColours depth_colours(const Scene& scene, std::size_t muscle, const PointsPtr& points,
                                const std::vector<Pose>& poses, const ColourScale& scale);
+    /// Of another run's muscle: its surface, its edges (two points each), and the distance of each vertex from `points` to its place
+    /// there, mm, through the scale.
+    SurfaceArrays compared_surface(std::size_t muscle, const MeshPtr& mesh, const PointsPtr& compared);
+    FloatPoints compared_edges(std::size_t muscle, const MeshPtr& mesh, const PointsPtr& compared);
+    FloatColours difference_colours(std::size_t muscle, const MeshPtr& mesh, const PointsPtr& points,
+                                    const PointsPtr& compared, double millimetres_per_unit,
+                                    const ColourScale& scale);
     /// The colour of each vertex's ContactState.
     FloatColours contact_colours(const Scene& scene, std::size_t muscle, const PointsPtr& points,
                                  const std::vector<Pose>& poses, const std::vector<Attachment>& attachments);
+    /// Mean dihedral change around each vertex, degrees, through the scale.
+    FloatColours dihedral_colours(std::size_t muscle, const MeshPtr& mesh, const PointsPtr& rest,
+                                  const PointsPtr& points, const ColourScale& scale);
+    /// Distance to the nearest bone, mm, 0 inside, through the scale. poses: one per bone of the scene.
+    FloatColours distance_colours(const Scene& scene, std::size_t muscle, const PointsPtr& points,
+                                  const std::vector<Pose>& poses, const ColourScale& scale);
+    /// A field at rest through the scale; null while there is none.
+    FloatColours field_colours(RestField field, const RestFields::Source& source, const ColourScale& scale);
+    RestFields& rest_fields() { return rest_fields_; }
+    const RestFields& rest_fields() const { return rest_fields_; }
     BorderLines attachment_border(std::size_t muscle, const MeshPtr& mesh,
                                   const std::vector<Attachment>& attachments, const PointsPtr& points);
 
@@ -58,11 +78,18 @@ public:
     /// Segments of the scene's line muscles in a frame, null: at rest. The scene has some.
     FloatPoints line_paths(const ScenePtr& scene, const FramePtr& frame);
 
+    /// Areas of the scene as they are stored.
+    const ShownAreas& scene_areas(const ScenePtr& scene);
+    /// Colours and borders of the areas on a bone, over the bone's own colour. highlights: null for none.
+    const AreaMarks& bone_marks(std::size_t bone, const MeshPtr& mesh, const ShownAreas& areas,
+                                const std::shared_ptr<const std::vector<BoneHighlight>>& highlights,
+                                const render::Rgba& base);
+
     /// Box of all meshes of the scene at rest, shown or not.
     BoundingBox rest_bounds(const Scene& scene);
 
     /// How many arrays were computed so far: stays the same while nothing changes.
-    int computed() const { return computed_ + distances_.computed(); }
+    int computed() const { return computed_ + distances_.computed() + rest_fields_.computed(); }
 
 private:
     struct Object { // a bone, a muscle
@@ -87,15 +114,39 @@ private:
         FloatColours depth_colours, contact_colours;
         BoneDistances depth_for, contact_for; ///< that the colours were made from
         ColourScale depth_scale;
+        std::shared_ptr<const VertexDihedralChange> dihedral_change;
+        PointsPtr dihedral_rest, dihedral_points;
+        VertexValues dihedrals, distances;
+        BoneDistances distances_for;
+        VertexValues value_colours_for; ///< values that value_colours were made from
+        ColourScale value_scale;
+        FloatColours value_colours;
         FibreModelPtr fibres;
         PointsPtr fibres_rest, fibres_points;
         std::optional<ColourScale> fibres_scale;
         BorderLines fibre_lines;
+        // of another run
+        PointsPtr compared_points, edges_points, difference_points, difference_compared;
+        SurfaceArrays compared;
+        FloatPoints compared_edges;
+        FloatColours difference_colours;
+        ColourScale difference_scale;
     };
     Object& object(std::vector<Object>& list, std::size_t index, const MeshPtr& mesh);
     const MeshTopology& topology(Object& object);
     void set_attachments(Object& object, const std::vector<Attachment>& attachments);
+    FloatColours value_colours(Object& object, const VertexValues& values, const ColourScale& scale);
     SurfaceArrays make_surface(const Points& points, const TriMesh& mesh);
+
+    struct BoneMarks {
+        std::unique_ptr<AreaMarks> marks;
+        ShownAreas areas; ///< that the marks were made from, as the other two
+        std::shared_ptr<const std::vector<BoneHighlight>> highlights;
+        render::Rgba base{};
+    };
+    std::vector<BoneMarks> bone_marks_;
+    ScenePtr areas_scene_;
+    ShownAreas scene_areas_;
 
     std::vector<Object> bones_, muscles_;
     std::unique_ptr<LineTracker> lines_;
@@ -103,6 +154,7 @@ private:
     FramePtr lines_frame_;
     FloatPoints line_paths_;
     BoneDistanceCache distances_;
+    RestFields rest_fields_;
     int computed_ = 0;
 };
 

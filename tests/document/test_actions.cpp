@@ -153,22 +153,14 @@ TEST_CASE("A bone can be let move with the joint and held still again", "[docume
     CHECK(actions::bone_moves(document.scene(), 2));
 }
 
-TEST_CASE("A mesh becomes a bone or a muscle, in the scene's unit", "[document][actions]") {
-    const std::string closed = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
-    const std::string open =
-        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 5\n";
-    Document document = three_bones();
-    const MeshFile file = read_mesh_bytes(closed, "x.obj"), holed = read_mesh_bytes(open, "y.obj");
-    const int muscle = actions::add_mesh(document, actions::MeshRole::muscle, "in/vastus.obj", file, 1000);
-    CHECK(document.scene().muscles[std::size_t(muscle)].name == "vastus");
-    CHECK(document.scene().muscles[std::size_t(muscle)].mesh->positions[1].x() == 1000);
-    CHECK(document.scene().muscles[std::size_t(muscle)].source.path == "in/vastus.obj");
-    const std::size_t before = steps(document);
-    CHECK_THROWS_AS(actions::add_mesh(document, actions::MeshRole::muscle, "in/holed.obj", holed), Error);
-    CHECK(steps(document) == before);
-    CHECK_FALSE(document.has_uncommitted_edits());
-    const int bone = actions::add_mesh(document, actions::MeshRole::bone, "in/holed.obj", holed);
-    CHECK(document.scene().bones[std::size_t(bone)].source.hash == holed.hash);
-    CHECK(actions::guess_unit(file.mesh) == LengthUnit::metre);
+TEST_CASE("The unit of a mesh is guessed from its size", "[document][actions]") {
+    CHECK(actions::guess_unit(*some_mesh()) == LengthUnit::metre);
+    TriMesh large = *some_mesh();
+    for (Vec3& p : large.positions)
+        p *= 300;
+    CHECK(actions::guess_unit(large) == LengthUnit::millimetre);
+    for (Vec3& p : large.positions)
+        p *= 300;
+    CHECK_FALSE(actions::guess_unit(large));
     CHECK_FALSE(actions::guess_unit(TriMesh{}));
 }

@@ -1,6 +1,7 @@
 #include "editor/driver.hpp"
 
 #include <catch2/catch.hpp>
+#include <tuple>
 
 namespace fascicle::test {
 
@@ -115,6 +116,18 @@ void Driver::key(int code, ed::Modifiers modifiers) {
         if (used)
             send(key, false, {});
     frame();
+}
+
+void Driver::hold(ed::Modifiers modifiers) {
+    const std::tuple<bool, bool, int> keys[] = {{held_.ctrl, modifiers.ctrl, ed::key_left_ctrl},
+                                                {held_.shift, modifiers.shift, ed::key_left_shift},
+                                                {held_.alt, modifiers.alt, ed::key_left_alt}};
+    held_ = modifiers;
+    for (const auto& [was, is, key] : keys)
+        if (was != is) {
+            editor_->input().key(key, is, modifiers);
+            frame();
+        }
 }
 
 void Driver::type(const std::string& text) {

@@ -1,6 +1,7 @@
 #pragma once
 // Drives the editor like a person would, without a window: moves, clicks, drags and types at widgets found by name.
 
+#include "editor/commands.hpp"
 #include "editor/editor.hpp"
 #include "editor/hand_run.hpp"
 #include "editor/widgets/item_recorder.hpp"
@@ -35,8 +36,14 @@ public:
     void drag(ImVec2 from, ImVec2 to, int button = 0);
     void wheel(const std::string& name, float steps);
     void key(int code, editor::Modifiers modifiers = {});
+    /// Holds these keys down from now on, and no others.
+    void hold(editor::Modifiers modifiers);
     void type(const std::string& text);
 
+    /// Of a row of the key table, now.
+    editor::CommandState command_state(editor::Command command) {
+        return editor::command_state(editor_->context(), command);
+    }
     editor::Editor& editor() { return *editor_; }
     editor::EditorState& state() { return editor_->state(); }
     Document& document() { return editor_->document(); }
@@ -50,6 +57,7 @@ private:
     editor::ItemRecorder recorder_;
     HandRun* run_ = nullptr;
     int runs_started_ = 0;
+    editor::Modifiers held_{};
     std::unique_ptr<editor::Editor> editor_;
 };
 

@@ -401,7 +401,6 @@ TEST_CASE("A dropped mesh is previewed and added as what the user says", "[edito
     frames_until(d, [&] { return d.has("mesh/bone"); });
     d.frame(3); // the dialog has its place now
     d.click("mesh/bone");
-    d.click("mesh/moving");
     d.click("mesh/add");
     d.frame(3);
     REQUIRE(d.document().scene().bones.size() == 3);

@@ -20,6 +20,8 @@ void draw_all(const Scene& scene, int frames_of_run, RunState state) {
         for (const PanelRow& row : panel_registry()) {
             if (row.place == Place::bottom)
                 d.state().bottom_panel = row.id;
+            if (row.place == Place::parameters)
+                d.state().side_panel = row.id;
             d.frame(3);
             if (d.run() != nullptr && frames_of_run > 0)
                 d.run()->compute(frames_of_run);

@@ -269,6 +269,38 @@ TEST_CASE("Arrays are sent to the GPU only when they are others", "[render][mesh
     CHECK(share(draw(renderer, list, 64, 64), reddish) == Approx(0.2).margin(0.02));
 }
 
+TEST_CASE("Of live colours only the changed range is sent", "[render][mesh_buffer]") {
+    const OsmesaContext context;
+    SceneRenderer renderer;
+    DrawList list = empty_list();
+    list.surfaces = {sphere(7, red)};
+    const auto live = std::make_shared<LiveColours>();
+    const std::size_t count = list.surfaces[0].positions->size();
+    live->colours.assign(count, red);
+    list.surfaces[0].live_colours = live;
+    CHECK(share(draw(renderer, list, 64, 64), reddish) > 0.3);
+    CHECK(renderer.colours_sent() == count);
+    draw(renderer, list, 64, 64);
+    CHECK(renderer.colours_sent() == 0);
+    for (std::size_t i = 0; i < count; ++i)
+        live->colours[i] = blue;
+    live->changes.push_back({++live->revision, 0, count / 2});
+    draw(renderer, list, 64, 64);
+    CHECK(renderer.uploads() == 1);
+    CHECK(renderer.colours_sent() == count / 2);
+    live->changes.push_back({++live->revision, count / 2, count - count / 2});
+    CHECK(share(draw(renderer, list, 64, 64), bluish) > 0.3);
+    CHECK(share(draw(renderer, list, 64, 64), reddish) == 0);
+    live->changes.clear(); // a renderer that missed changes takes them all
+    live->known_from = ++live->revision;
+    live->colours.assign(count, red);
+    CHECK(share(draw(renderer, list, 64, 64), reddish) > 0.3);
+    CHECK(renderer.colours_sent() == count);
+    list.surfaces[0].live_colours = nullptr;
+    list.surfaces[0].colour = blue;
+    CHECK(share(draw(renderer, list, 64, 64), bluish) > 0.3);
+}
+
 TEST_CASE("Empty items draw nothing and do no harm", "[render][scene_renderer]") {
     const OsmesaContext context;
     SceneRenderer renderer;

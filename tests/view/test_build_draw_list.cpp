@@ -159,7 +159,7 @@ TEST_CASE("Changed attachments and scales change the colours", "[view][draw_cach
     CHECK(*after != *before);
     options.colouring = Colouring::strain;
     const auto narrow = find(build_draw_list(subject, options, {}, cache), muscle_item_id(0))->vertex_colours;
-    options.strain_scale.high = 3.0;
+    options.scales[Colouring::strain].high = 3.0;
     CHECK(*find(build_draw_list(subject, options, {}, cache), muscle_item_id(0))->vertex_colours != *narrow);
 }
 

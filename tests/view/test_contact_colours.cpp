@@ -89,7 +89,7 @@ TEST_CASE("Depth colours are those of the signed distance to the bone", "[view][
     int inside = 0;
     for (std::size_t v = 0; v < points.size(); ++v) {
         const double z = points[v].z();
-        const render::Rgba expected = options.depth_scale.colour(z);
+        const render::Rgba expected = options.scales[Colouring::depth].colour(z);
         inside += z < 0;
         for (std::size_t c = 0; c < 3; ++c)
             CHECK(double(seen[v][c]) == Approx(double(expected[c])).margin(1e-6));
@@ -101,7 +101,7 @@ TEST_CASE("Depth colours are those of the signed distance to the bone", "[view][
     ViewSubject raised = subject;
     raised.frame = std::make_shared<const Frame>(frame);
     CHECK(colours(build_draw_list(raised, options, {}, cache)) != seen);
-    options.depth_scale.high = 2.0;
+    options.scales[Colouring::depth].high = 2.0;
     CHECK(colours(build_draw_list(subject, options, {}, cache)) != seen);
 }
 

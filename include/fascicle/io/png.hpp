@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace fascicle {
@@ -16,6 +17,9 @@ struct PngImage {
 /// Writes 4 * width * height bytes. Opaque pictures are stored without alpha. Quick rather than small: the
 /// lowest compression and one row filter. Error naming the file; width and height from 1 to 32768.
 void write_png(const std::filesystem::path& path, int width, int height, const std::uint8_t* rgba);
+
+/// The same as bytes, for what carries its pictures inside.
+std::string encode_png(int width, int height, const std::uint8_t* rgba);
 
 /// Reads any PNG as RGBA (missing alpha becomes 255, 16 bits become 8). Error naming the file when it is not
 /// a PNG, is damaged, or claims more pixels than its size in bytes can hold.

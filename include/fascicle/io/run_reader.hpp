@@ -12,7 +12,7 @@ namespace fascicle {
 bool is_run_folder(const std::filesystem::path& path);
 
 /// The scene comes from the folder alone: muscles from their rest frames, bones from bones/, attachments from the frames'
-/// arrays, angles and poses from the tables. It has no timeline to run again, and its sources are only named.
+/// arrays, angles, poses and times of solving from the tables, notes from the summary. It has no timeline to run again, and its sources are only named.
 class RunReader {
 public:
     /// Reads everything but the frames' positions. Error naming the file for what is missing or bad.
@@ -43,6 +43,9 @@ private:
     std::vector<int> frames_;
     std::vector<std::vector<Pose>> poses_; ///< by frame, then bone
     std::vector<double> angles_;           ///< by frame
+    std::vector<double> solve_seconds_;    ///< by frame
+    std::vector<std::string> notes_;       ///< that the run left
+    double prepare_seconds_ = 0;
 };
 
 } // namespace fascicle

@@ -18,7 +18,4 @@ FibreModelPtr make_fibres(const Scene& scene, const Muscle& muscle, const TriMes
                           const MeshTopology& topology, const std::vector<Attachment>& attachments,
                           int threads);
 
-/// The fibres as polylines at rest.
-Polylines polylines_of(const FibreSet& fibres);
-
 } // namespace fascicle

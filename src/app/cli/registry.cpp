@@ -20,10 +20,15 @@ const std::vector<Command>& commands() {
          "out/fibres",
          add_fibres},
 #ifdef FASCICLE_HAS_VIEW
-        {"render", "Draw one frame of a run or of a source as a picture",
+        {"render", "Draw frames of a run or of a source: a picture, numbered pictures, a GIF, a film",
          "  fascicle render out/hip --frame 100 --size 1200x800 --out hip.png\n"
+         "  fascicle render out/hip --frames 0:300:5 --fps 20 --size 640x400 --out hip.gif\n"
          "  fascicle render --scene squish-box --frame 100 --colour strain --out box.png",
          add_render},
+        {"report", "Write a run as one HTML page with pictures, plots and numbers",
+         "  fascicle report out/hip --out hip.html\n"
+         "  fascicle report --scene squish-box --out box.html",
+         add_report},
 #endif
         {"lines", "Length and moment arms of line muscles of an OpenSim model",
          "  fascicle lines --osim hip.osim --motion flexion.mot --out out/lines\n"
@@ -32,6 +37,8 @@ const std::vector<Command>& commands() {
          "  fascicle lines --osim hip.osim --motion flexion.mot --bone pelvis=pelvis.obj --bone "
          "femur_r=femur.vtk --out out/bones",
          add_lines},
+        {"compare", "Tell how far two runs are apart, frame by frame",
+         "  fascicle compare out/soft out/stiff --out out/difference", add_compare},
         {"bench", "Measure how fast everything is on this machine",
          "  fascicle bench\n"
          "  fascicle bench --case gluteus_maximus --part frames --json gluteus.json",

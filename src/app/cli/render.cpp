@@ -1,12 +1,14 @@
-// fascicle render SOURCE|RUN --frame K --size WxH --out FILE.png: the viewport as a picture, without a display.
+// fascicle render SOURCE|RUN --frame K --size WxH --out FILE.png: the viewport as a picture, without a display; with --frames A:B
+// numbered pictures, a GIF or a film.
 
 #include "app/cli/command.hpp"
 #include "app/cli/options.hpp"
-#include "app/cli/pictures.hpp"
+#include "app/cli/run_film.hpp"
 #include "app/cli/run_scene.hpp"
 #include "app/cli/source_options.hpp"
 #include "editor/editor_picture.hpp"
 #include "fascicle/io/run_reader.hpp"
+#include "output/run_pictures.hpp"
 
 #include <cmath>
 
@@ -21,6 +23,9 @@ struct RenderOptions {
     SourceOptions source;
     SolveOptions solve;
     int frame = 0;
+    std::string frames; ///< A:B[:STEP]; empty: one frame
+    double fps = 25;
+    bool transparent = false;
     std::string size = "1280x800";
     std::string out;
     std::string view;
@@ -29,8 +34,8 @@ struct RenderOptions {
     bool quiet = false;
 };
 
-PictureOptions picture_options(const RenderOptions& options) {
-    PictureOptions picture;
+output::PictureOptions picture_options(const RenderOptions& options) {
+    output::PictureOptions picture;
     const std::vector<double> sides =
         read_numbers("--size", options.size, 'x', 2, "WIDTHxHEIGHT in pixels, e.g. 1280x800");
     for (const double side : sides)
@@ -41,7 +46,7 @@ PictureOptions picture_options(const RenderOptions& options) {
                         ErrorKind::usage);
     picture.width = static_cast<int>(sides[0]);
     picture.height = static_cast<int>(sides[1]);
-    const auto& names = standard_view_names();
+    const auto& names = output::standard_view_names();
     if (const auto it = std::find(names.begin(), names.end(), options.view); it != names.end())
         picture.from = static_cast<view::StandardView>(it - names.begin());
     for (const view::ColouringRow& row : view::colourings())
@@ -51,14 +56,14 @@ PictureOptions picture_options(const RenderOptions& options) {
 }
 
 /// Frames 0 to `frame` of the source, or all of them.
-RecordingPtr simulate(const RenderOptions& options, bool all) {
+RecordingPtr simulate(const RenderOptions& options, int frame, bool all) {
     LoadedScene loaded = load(options.source, options.solve);
     int& last = loaded.scene.timeline.last_frame;
-    if (options.frame > last)
-        throw_error("--frame", "got " + std::to_string(options.frame), "0 to " + std::to_string(last),
-                    ErrorKind::usage);
+    if (frame > last)
+        throw_error(options.frames.empty() ? "--frame" : "--frames", "got " + std::to_string(frame),
+                    "0 to " + std::to_string(last), ErrorKind::usage);
     if (!all)
-        last = options.frame;
+        last = frame;
     ProgressDisplay progress = ProgressDisplay::for_user(options.quiet);
     RecordingPtr recording = run_scene(std::make_shared<const Scene>(std::move(loaded.scene)),
                                        {thread_count(options.solve), loaded.notes}, progress,
@@ -80,18 +85,51 @@ RecordingPtr read_frames(const RunReader& reader, int frame) {
     return recording;
 }
 
-void draw_viewport(const RenderOptions& options, const PictureOptions& picture) {
-    const RecordingPtr recording =
-        options.run.empty() ? simulate(options, false) : read_frames(RunReader(options.run), options.frame);
-    Pictures pictures(*recording, picture);
-    write_picture(options.out, pictures.draw(recording->frame_count() - 1));
+void draw_viewport(const RenderOptions& options, const output::PictureOptions& picture) {
+    const RecordingPtr recording = options.run.empty() ? simulate(options, options.frame, false)
+                                                       : read_frames(RunReader(options.run), options.frame);
+    output::Pictures pictures(*recording, picture);
+    if (options.transparent)
+        pictures.set_transparent();
+    output::write_picture(options.out, pictures.draw(recording->frame_count() - 1));
+}
+
+/// "A:B" or "A:B:STEP"; without B to the last frame.
+FrameRange frame_range(const std::string& text) {
+    const std::string expected = "FIRST:LAST or FIRST:LAST:STEP, e.g. 0:300:5; LAST may be left out";
+    const std::vector<std::string> parts = split(text, ':');
+    if (parts.size() < 2 || parts.size() > 3)
+        throw_error("--frames", "got '" + text + "'", expected, ErrorKind::usage);
+    FrameRange range;
+    const int most = 10'000'000;
+    range.first = read_whole("--frames", parts[0], 0, most);
+    if (!parts[1].empty())
+        range.last = read_whole("--frames", parts[1], range.first, most);
+    if (parts.size() == 3)
+        range.step = read_whole("--frames", parts[2], 1, most);
+    return range;
+}
+
+void draw_film(const RenderOptions& options, const output::PictureOptions& picture) {
+    FilmOptions film{frame_range(options.frames), options.fps, options.transparent, options.out};
+    film.kind(); // a wrong name or speed is told before anything is computed
+    ProgressDisplay progress = ProgressDisplay::for_user(options.quiet);
+    RecordingPtr recording;
+    if (!options.run.empty()) {
+        recording = RunReader(options.run).read_recording();
+        if (film.range.last)
+            output::place_of_frame(*recording, *film.range.last); // tells when there is no such frame
+    } else {
+        recording = simulate(options, film.range.last.value_or(film.range.first), !film.range.last);
+    }
+    write_film(film, recording, picture, progress);
 }
 
 /// The editor shows plots over the whole run: all frames are needed.
-void draw_editor(const RenderOptions& options, const PictureOptions& picture) {
+void draw_editor(const RenderOptions& options, const output::PictureOptions& picture) {
     RecordingPtr recording;
     if (options.run.empty()) {
-        recording = simulate(options, true);
+        recording = simulate(options, options.frame, true);
     } else {
         const RunReader reader(options.run);
         reader.read_frame(options.frame); // tells when there is no such frame
@@ -104,7 +142,7 @@ void draw_editor(const RenderOptions& options, const PictureOptions& picture) {
     look.width = picture.width;
     look.height = picture.height;
     look.colouring = picture.colouring;
-    write_picture(options.out, editor::render_editor_picture(recording, options.frame, look));
+    output::write_picture(options.out, editor::render_editor_picture(recording, options.frame, look));
 }
 
 int render(const RenderOptions& options) {
@@ -115,8 +153,16 @@ int render(const RenderOptions& options) {
                     ErrorKind::usage);
     if (options.ui && !options.view.empty())
         throw_error("--view", "cannot go with --ui", "one of the two", ErrorKind::usage);
-    const PictureOptions picture = picture_options(options);
-    options.ui ? draw_editor(options, picture) : draw_viewport(options, picture);
+    if (options.ui && (!options.frames.empty() || options.transparent))
+        throw_error(options.transparent ? "--transparent" : "--frames", "cannot go with --ui",
+                    "one of the two", ErrorKind::usage);
+    const output::PictureOptions picture = picture_options(options);
+    if (!options.frames.empty())
+        draw_film(options, picture);
+    else if (options.ui)
+        draw_editor(options, picture);
+    else
+        draw_viewport(options, picture);
     return 0;
 }
 
@@ -127,9 +173,14 @@ std::function<int()> add_render(CLI::App& app) {
     app.add_option("RUN", options->run, "Folder of a run made with --export vtp; instead of SOURCE");
     add_source_options(app, options->source);
     add_whole(app, "--frame", options->frame, 0, 1000000000, "K", "Frame, 0 is rest (default: 0)");
+    add_text(app, "--frames", options->frames, "A:B[:STEP]",
+             "Several frames instead: numbered pictures in a folder, a .gif or an .mp4 by the name of --out");
+    add_number(app, "--fps", options->fps, "N",
+               "Pictures a second of a .gif (at most 50) or .mp4 (default: 25)");
+    app.add_flag("--transparent", options->transparent, "No background; for pictures");
     add_text(app, "--size", options->size, "WxH", "Pixels (default: 1280x800)");
-    add_text(app, "--out", options->out, "FILE.png", "The picture");
-    add_choice(app, "--view", options->view, standard_view_names(),
+    add_text(app, "--out", options->out, "FILE.png", "The picture; with --frames DIR, FILE.gif or FILE.mp4");
+    add_choice(app, "--view", options->view, output::standard_view_names(),
                "Side to look from (default: where most muscle is seen)");
     std::vector<std::string> colours;
     for (const view::ColouringRow& row : view::colourings())

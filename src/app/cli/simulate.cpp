@@ -11,7 +11,7 @@
 #include "fascicle/metrics/metric_table.hpp"
 #include "fascicle/metrics/muscle_measure.hpp"
 #ifdef FASCICLE_HAS_VIEW
-#include "app/cli/pictures.hpp"
+#include "output/run_pictures.hpp"
 #endif
 
 #include <iostream>
@@ -109,7 +109,7 @@ int simulate(const SimulateOptions& options) {
 #ifdef FASCICLE_HAS_VIEW
     if (exports.png) {
         progress.update({"pictures", 0, 0, 0}, steady_seconds());
-        write_run_pictures(*recording, options.out);
+        output::write_run_pictures(*recording, options.out);
         progress.finish();
     }
 #endif

@@ -3,6 +3,7 @@
 #include "fascicle/geometry/region_ops.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace fascicle::actions {
 
@@ -80,6 +81,28 @@ bool set_area(Document& document, const AreaKey& key, const SurfaceRegion& verti
     return document.commit(step_name(scene, what, key));
 }
 
+bool remove_head(Document& document, int muscle, const std::string& head) {
+    FASCICLE_ASSERT(muscle >= 0 && muscle < static_cast<int>(document.scene().muscles.size()));
+    const auto m = static_cast<std::size_t>(muscle);
+    const auto of_head = [&](const AttachmentArea& area) { return area.head == head; };
+    const std::vector<AttachmentArea>& areas = document.scene().muscles[m].areas;
+    if (std::none_of(areas.begin(), areas.end(), of_head))
+        return false;
+    Scene& scene = document.edit();
+    std::erase_if(scene.muscles[m].areas, of_head);
+    return document.commit("Remove head" + (head.empty() ? "" : " " + head) + ", " + scene.muscles[m].name);
+}
+
+bool drop_fixed_attachments(Document& document, int muscle) {
+    FASCICLE_ASSERT(muscle >= 0 && muscle < static_cast<int>(document.scene().muscles.size()));
+    const auto m = static_cast<std::size_t>(muscle);
+    if (document.scene().muscles[m].attachments.empty())
+        return false;
+    Scene& scene = document.edit();
+    scene.muscles[m].attachments.clear();
+    return document.commit("Use areas, " + scene.muscles[m].name);
+}
+
 int areas_from_outlines(Document& document, int muscle, BoneSurfaces& surfaces,
                         std::vector<std::string>& notes) {
     FASCICLE_ASSERT(muscle >= 0 && muscle < static_cast<int>(document.scene().muscles.size()));
@@ -119,21 +142,26 @@ bool AreaStroke::locked(int vertex, int bone) const {
     return false;
 }
 
-void AreaStroke::apply(Target& target, const SurfacePoint& at) {
-    target.changed.clear();
-    const SurfacePoint before = target.before;
-    target.before = at;
+std::vector<int> AreaStroke::under_brush(Target& target, const SurfacePoint& at) {
+    const SurfacePoint before = std::exchange(target.before, at);
     if (at.triangle < 0)
-        return;
+        return {};
     GeodesicSearch& search = surfaces_.search(bone_mesh(document_.scene(), target.key.bone));
-    std::vector<int> touched = stroke_vertices(search, before, at, target.brush);
+    return stroke_vertices(search, before, at, target.brush);
+}
+
+void AreaStroke::apply(Target& target, std::vector<int> touched) {
+    target.changed.clear();
     std::erase_if(touched, [&](int v) { return locked(v, target.key.bone); });
+    if (touched.empty())
+        return;
     const AttachmentArea* area = find_area(document_.scene(), target.key);
     if (options_.mode == StrokeMode::smooth) {
         if (area == nullptr)
             return;
-        const SurfaceRegion within(search.graph().vertex_count(), touched);
-        const SurfaceRegion smooth = smooth_border(search.graph(), area->vertices, smoothing_passes, &within);
+        const SurfaceGraph& graph = surfaces_.graph(bone_mesh(document_.scene(), target.key.bone));
+        const SurfaceRegion within(graph.vertex_count(), touched);
+        const SurfaceRegion smooth = smooth_border(graph, area->vertices, smoothing_passes, &within);
         std::erase_if(touched, [&](int v) { return smooth.contains(v) == area->vertices.contains(v); });
     } else {
         const bool wanted = options_.mode == StrokeMode::paint;
@@ -159,23 +187,37 @@ void AreaStroke::apply(Target& target, const SurfacePoint& at) {
     target.changed = std::move(touched);
 }
 
+const std::vector<int>& AreaStroke::joined_changes() {
+    std::vector<int>& changed = targets_.front().changed;
+    if (targets_.size() > 1 &&
+        targets_.back().key == targets_.front().key) { // both halves of one area on one bone
+        changed.insert(changed.end(), targets_.back().changed.begin(), targets_.back().changed.end());
+        std::sort(changed.begin(), changed.end());
+    }
+    return changed;
+}
+
 const std::vector<int>& AreaStroke::step(const SurfacePoint& at) {
     FASCICLE_ASSERT(open_);
-    apply(targets_.front(), at);
+    apply(targets_.front(), under_brush(targets_.front(), at));
     if (targets_.size() > 1) {
         const StrokeMirror& mirror = *options_.mirror;
         SurfacePoint image;
         if (at.triangle >= 0)
             image = mirror_point(at.point, surfaces_.graph(bone_mesh(document_.scene(), mirror.area.bone)),
                                  mirror.plane, mirror.reach);
-        apply(targets_.back(), image);
-        if (targets_.back().key == targets_.front().key) { // both halves of one area on one bone
-            std::vector<int>& changed = targets_.front().changed;
-            changed.insert(changed.end(), targets_.back().changed.begin(), targets_.back().changed.end());
-            std::sort(changed.begin(), changed.end());
-        }
+        apply(targets_.back(), under_brush(targets_.back(), image));
     }
-    return targets_.front().changed;
+    return joined_changes();
+}
+
+const std::vector<int>& AreaStroke::touch(const std::vector<int>& vertices,
+                                          const std::vector<int>& mirrored) {
+    FASCICLE_ASSERT(open_);
+    apply(targets_.front(), vertices);
+    if (targets_.size() > 1)
+        apply(targets_.back(), mirrored);
+    return joined_changes();
 }
 
 bool AreaStroke::finish() {
@@ -190,7 +232,8 @@ bool AreaStroke::finish() {
         document_.discard_edits();
         return false;
     }
-    return document_.commit(step_name(scene, verb(options_.mode), targets_.front().key));
+    const std::string what = options_.what.empty() ? verb(options_.mode) : options_.what;
+    return document_.commit(step_name(scene, what, targets_.front().key));
 }
 
 void AreaStroke::cancel() {

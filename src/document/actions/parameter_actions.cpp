@@ -68,4 +68,16 @@ bool set_method(Document& document, const std::string& method) {
     return replace(document, std::move(changed), "Use method " + method);
 }
 
+bool use_parameters(Document& document, const ParamSet& wanted, std::string name) {
+    ParamSet changed = document.scene().parameters;
+    fascicle::set_method(changed, wanted.get_choice("solver.method")); // first: it decides the defaults
+    for (const ParamRow& row : changed.table().rows())
+        if (row.key != "solver.method") {
+            changed.reset(row.key);
+            if (changed.get(row.key) != wanted.get(row.key))
+                changed.set(row.key, wanted.get(row.key));
+        }
+    return replace(document, std::move(changed), std::move(name));
+}
+
 } // namespace fascicle::actions

@@ -1,6 +1,7 @@
 #include "fascicle/document/actions/scene_actions.hpp"
 
 #include "document/actions/hinge_track.hpp"
+#include "document/actions/scene_names.hpp"
 #include "fascicle/scene/line_muscles.hpp"
 
 #include <algorithm>
@@ -8,18 +9,6 @@
 namespace fascicle::actions {
 
 namespace {
-
-bool taken(const Scene& scene, const std::string& name) {
-    return scene.bone_index(name) >= 0 || scene.muscle_index(name) >= 0;
-}
-
-std::string unique_name(const Scene& scene, const std::string& wanted, const char* otherwise) {
-    const std::string base = wanted.empty() ? otherwise : wanted;
-    std::string name = base;
-    for (int number = 2; taken(scene, name); ++number)
-        name = base + " " + std::to_string(number);
-    return name;
-}
 
 template <class T>
 T& checked(std::vector<T>& list, int index) {

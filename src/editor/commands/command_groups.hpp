@@ -7,11 +7,16 @@ namespace fascicle::editor {
 
 std::vector<KeyBinding> project_commands();
 std::vector<KeyBinding> file_commands();
+std::vector<KeyBinding> export_commands();
+std::vector<KeyBinding> load_commands();
 std::vector<KeyBinding> edit_commands();
 std::vector<KeyBinding> timeline_commands();
 std::vector<KeyBinding> view_commands();
 std::vector<KeyBinding> show_commands();
+std::vector<KeyBinding> paint_commands();
+std::vector<KeyBinding> display_commands();
 std::vector<KeyBinding> window_commands();
+std::vector<KeyBinding> compare_commands();
 
 namespace keys {
 constexpr Modifiers ctrl{.ctrl = true};

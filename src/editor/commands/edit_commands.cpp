@@ -1,4 +1,6 @@
 #include "editor/commands/command_groups.hpp"
+#include "editor/features.hpp"
+#include "editor/viewport_tool.hpp"
 #include "fascicle/document/actions/scene_actions.hpp"
 
 namespace fascicle::editor {
@@ -18,15 +20,26 @@ void remove_selected(EditorContext& context) {
     context.state.selection = {};
 }
 
-/// Esc: the change under way first, then what is open, then the run, then the selection.
+/// Esc: the change under way first, then what is open, then jobs, then the tool, then the selection.
 void escape(EditorContext& context) {
     EditorState& state = context.state;
+    ViewportTool* tool = active_tool(context);
+    if (tool != nullptr && tool->cancel(context))
+        return;
     if (context.document.has_uncommitted_edits())
         context.document.discard_edits();
     else if (state.show_shortcuts)
         state.show_shortcuts = false;
+    else if (context.features.exporter.running())
+        context.features.exporter.cancel();
+    else if (state.tool == Tool::pick_point)
+        state.tool = Tool::look;
+    else if (context.features.loader.reading())
+        context.features.loader.cancel();
     else if (context.runs.running())
         run_command(context, C::cancel_run);
+    else if (tool != nullptr)
+        context.features.paint.leave(context);
     else
         state.selection = {};
 }

@@ -12,8 +12,8 @@ std::vector<KeyBinding> file_commands() {
     return {
         {C::open_file,
          file,
-         "Add mesh...",
-         "Loads a bone or a muscle from a mesh file.",
+         "Add meshes...",
+         "Loads bones and muscles from mesh files.",
          {{{key_i, ctrl}}},
          false,
          nullptr,

@@ -1,4 +1,6 @@
 #include "editor/commands/command_groups.hpp"
+#include "editor/playback.hpp"
+#include "fascicle/document/actions/marker_actions.hpp"
 
 namespace fascicle::editor {
 
@@ -15,9 +17,74 @@ void step(EditorContext& context, int frames) {
 void play_pause(EditorContext& context) {
     Playback& playback = context.state.playback;
     playback.playing = !playback.playing;
-    const bool at_end = context.playhead() >= context.runs.available_count() - 1;
-    if (playback.playing && at_end && !context.runs.running())
-        playback.position = 0;
+    if (!playback.playing || context.runs.running())
+        return;
+    const auto [low, high] = played_range(playback, context.last_frame());
+    const int end = std::min(high, context.runs.available_count() - 1);
+    playback.turned = false;
+    if (playback.speed > 0 && context.playhead() >= end)
+        playback.position = low;
+    if (playback.speed < 0 && context.playhead() <= low)
+        playback.position = end;
+}
+
+/// Switches one way of repeating on, or off.
+template <Repeat repeat>
+KeyBinding repeat_row(Command command, const char* label, const char* help) {
+    return {command,
+            "Timeline",
+            label,
+            help,
+            {},
+            false,
+            [](const EditorContext& c) { return checked(c.state.playback.repeat == repeat); },
+            [](EditorContext& c) {
+                Playback& playback = c.state.playback;
+                playback.repeat = playback.repeat == repeat ? Repeat::once : repeat;
+                playback.turned = false;
+            }};
+}
+
+/// The playhead becomes the first or the last frame played.
+void set_range(EditorContext& context, bool first) {
+    auto [low, high] = played_range(context.state.playback, context.last_frame());
+    (first ? low : high) = context.playhead();
+    if (low > high)
+        (first ? high : low) = first ? context.last_frame() : 0;
+    context.state.playback.range = {low, high};
+}
+
+/// The nearest marker before or behind the playhead, or null.
+const Marker* neighbour(const EditorContext& context, bool behind) {
+    const Marker* found = nullptr;
+    for (const Marker& marker : context.document.scene().markers) {
+        if (behind && marker.frame > context.playhead())
+            return &marker;
+        if (!behind && marker.frame < context.playhead())
+            found = &marker;
+    }
+    return found;
+}
+
+void go_to_marker(EditorContext& context, bool behind) {
+    if (const Marker* marker = neighbour(context, behind))
+        step(context, marker->frame - context.playhead());
+}
+
+KeyBinding marker_row() {
+    KeyBinding row{Command::add_marker,
+                   "Timeline",
+                   "Add marker",
+                   "Names the frame at the playhead.",
+                   {{{key_m}}},
+                   false,
+                   [](const EditorContext& c) {
+                       return only_if(actions::marker_at(c.document.scene(), c.playhead()) < 0,
+                                      "there is a marker at this frame");
+                   },
+                   [](EditorContext& c) { actions::add_marker(c.document, c.playhead()); }};
+    row.where = KeysIn::looking;
+    return row;
 }
 
 } // namespace
@@ -83,14 +150,63 @@ std::vector<KeyBinding> timeline_commands() {
          false,
          nullptr,
          [](EditorContext& c) { step(c, c.runs.available_count() - 1 - c.playhead()); }},
-        {C::toggle_loop,
+        repeat_row<Repeat::loop>(C::toggle_loop, "Loop", "Starts again at the end."),
+        repeat_row<Repeat::ping_pong>(C::toggle_ping_pong, "Ping-pong", "Plays there and back."),
+        {C::toggle_every_frame,
          time,
-         "Loop",
-         "Starts again at the end.",
+         "Every frame",
+         "Leaves no frame out, however long it takes; else real time.",
          {},
          false,
-         [](const EditorContext& c) { return checked(c.state.playback.loop); },
-         [](EditorContext& c) { c.state.playback.loop = !c.state.playback.loop; }},
+         [](const EditorContext& c) { return checked(c.state.playback.every_frame); },
+         [](EditorContext& c) { c.state.playback.every_frame = !c.state.playback.every_frame; }},
+        {C::loop_from_here,
+         time,
+         "Play from here",
+         "The playhead becomes the first frame that is played.",
+         {{{key_left_bracket, ctrl}}},
+         false,
+         nullptr,
+         [](EditorContext& c) { set_range(c, true); }},
+        {C::loop_to_here,
+         time,
+         "Play to here",
+         "The playhead becomes the last frame that is played.",
+         {{{key_right_bracket, ctrl}}},
+         false,
+         nullptr,
+         [](EditorContext& c) { set_range(c, false); }},
+        {C::loop_everything,
+         time,
+         "Play everything",
+         "Plays all frames again.",
+         {},
+         false,
+         [](const EditorContext& c) {
+             return only_if(c.state.playback.range.has_value(), "all frames are played");
+         },
+         [](EditorContext& c) { c.state.playback.range.reset(); }},
+        marker_row(),
+        {C::previous_marker,
+         time,
+         "Previous marker",
+         "Moves the playhead.",
+         {{{key_comma}}},
+         true,
+         [](const EditorContext& c) {
+             return only_if(neighbour(c, false) != nullptr, "no marker before the playhead");
+         },
+         [](EditorContext& c) { go_to_marker(c, false); }},
+        {C::next_marker,
+         time,
+         "Next marker",
+         "Moves the playhead.",
+         {{{key_period}}},
+         true,
+         [](const EditorContext& c) {
+             return only_if(neighbour(c, true) != nullptr, "no marker behind the playhead");
+         },
+         [](EditorContext& c) { go_to_marker(c, true); }},
         {C::run_again,
          time,
          "Compute again",

@@ -1,4 +1,5 @@
 #include "editor/commands/command_groups.hpp"
+#include "editor/dialogs/dialogs.hpp"
 
 #include <algorithm>
 
@@ -20,6 +21,27 @@ void set_scale(EditorContext& context, float scale) {
 std::vector<KeyBinding> window_commands() {
     const char* const window = "Window";
     return {
+        {C::search_commands,
+         window,
+         "Find a command...",
+         "Finds any command by its name.",
+         {{{key_k, ctrl}}},
+         false,
+         nullptr,
+         [](EditorContext& c) { c.dialogs.search.open(); }},
+        {C::present,
+         window,
+         "Presenter",
+         "Full screen, with text and controls half as large again.",
+         {{{key_f11, shift}}},
+         false,
+         [](const EditorContext& c) { return checked(c.state.presenting); },
+         [](EditorContext& c) {
+             EditorState& state = c.state;
+             state.presenting = !state.presenting;
+             state.wants_full_screen = state.presenting;
+             set_scale(c, state.presenting ? state.start_scale * 1.5f : state.start_scale);
+         }},
         {C::toggle_full_screen,
          window,
          "Full screen",

@@ -1,6 +1,9 @@
 #pragma once
 // All dialogs of the editor; EditorContext knows only that there are some.
 
+#include "editor/dialogs/command_search.hpp"
+#include "editor/dialogs/export_dialog.hpp"
+#include "editor/dialogs/load_dialog.hpp"
 #include "editor/dialogs/locate_dialog.hpp"
 #include "editor/dialogs/mesh_dialog.hpp"
 #include "editor/dialogs/open_project_dialog.hpp"
@@ -8,13 +11,16 @@
 #include "editor/dialogs/progress_note.hpp"
 #include "editor/dialogs/recovery_dialog.hpp"
 #include "editor/dialogs/reload_dialog.hpp"
+#include "editor/dialogs/run_dialog.hpp"
 #include "editor/dialogs/save_dialog.hpp"
 #include "editor/dialogs/unsaved_dialog.hpp"
 
 namespace fascicle::editor {
 
 struct Dialogs {
+    CommandSearch search;
     MeshDialog mesh;
+    LoadDialog load;
     PictureDialog picture;
     OpenProjectDialog open_project;
     SaveDialog save;
@@ -23,9 +29,12 @@ struct Dialogs {
     ReloadDialog reload;
     RecoveryDialog recovery;
     ProgressNote progress;
+    RunDialog run;
+    ExportDialog exporting;
 
     std::vector<Dialog*> all() {
-        return {&mesh, &picture, &open_project, &save, &unsaved, &locate, &reload, &recovery, &progress};
+        return {&search, &mesh,    &picture, &run,    &exporting, &load,    &open_project,
+                &save,   &unsaved, &locate,  &reload, &recovery,  &progress};
     }
 };
 

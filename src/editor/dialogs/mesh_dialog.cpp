@@ -1,13 +1,11 @@
 #include "editor/dialogs/mesh_dialog.hpp"
 
+#include "editor/features.hpp"
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/paint.hpp"
 #include "editor/widgets/tool_button.hpp"
 #include "fascicle/base/error.hpp"
 #include "fascicle/io/format_registry.hpp"
-
-#include <chrono>
-#include <cstdio>
 
 namespace fascicle::editor {
 
@@ -22,119 +20,86 @@ std::vector<std::string> mesh_extensions() {
     return all;
 }
 
-constexpr const char* popup_name = "Open mesh";
+constexpr const char* popup_name = "Add meshes";
+
+std::string count_text(int n, const char* one, const char* many) {
+    return std::to_string(n) + " " + (n == 1 ? one : many);
+}
 
 } // namespace
 
 MeshDialog::MeshDialog() : browser_(mesh_extensions()) {}
 
 void MeshDialog::open() {
-    open_ = appears_ = true;
-    problem_.clear();
+    if (!open_) {
+        open_ = appears_ = true;
+        problem_.clear();
+    }
 }
 
 void MeshDialog::open_with(const std::vector<fs::path>& files) {
-    waiting_.insert(waiting_.end(), files.begin(), files.end());
-    if (!open_ && !waiting_.empty())
-        next();
+    if (files.empty())
+        return;
+    open();
+    browser_.go_to(files.back());
+    selected_ = batch_.add(files);
 }
 
 void MeshDialog::close() {
-    waiting_.clear();
-    next();
-}
-
-/// The next waiting file, or nothing more.
-void MeshDialog::next() {
-    mesh_.reset();
+    batch_.clear();
+    preview_.release();
+    selected_ = -1;
+    seen_ready_ = 0;
     problem_.clear();
-    if (waiting_.empty()) {
-        open_ = false;
-        return;
-    }
-    open();
-    browser_.go_to(waiting_.front());
-    waiting_.pop_front();
-    start_reading();
-}
-
-void MeshDialog::start_reading() {
-    mesh_.reset();
-    problem_.clear();
-    scale_ = 1;
-    file_ = browser_.chosen();
-    if (!file_.empty())
-        reading_ = std::async(std::launch::async, [path = file_] { return read_mesh_file(path); });
+    open_ = false;
 }
 
 void MeshDialog::poll(EditorContext& context) {
-    if (!reading_.valid() || reading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
-        return;
-    try {
-        mesh_ = reading_.get();
-        // A closed surface is most likely a muscle, an open one can only be a bone.
-        role_ = mesh_->report.closed() && !context.document.scene().bones.empty() ? actions::MeshRole::muscle
-                                                                                  : actions::MeshRole::bone;
-        const auto guess = actions::guess_unit(mesh_->mesh);
-        const LengthUnit unit = context.document.scene().unit;
-        if (guess && *guess != unit) // offered, shown, and one click away from being undone
-            scale_ = millimetres_per_unit(*guess) / millimetres_per_unit(unit);
-    } catch (const std::exception& error) {
-        problem_ = error.what();
-        context.log.add(Severity::error, problem_);
+    std::vector<std::string> problems;
+    const std::vector<fs::path> lines = batch_.poll(context.document.scene(), problems);
+    for (const std::string& problem : problems)
+        context.log.add(Severity::error, problem);
+    for (const fs::path& file : lines) {
+        context.features.loader.load_surface_fibres(context, file);
+        if (batch_.entries().empty())
+            open_ = false;
     }
+    if (batch_.ready_count() > seen_ready_)
+        preview_.frame();
+    seen_ready_ = batch_.ready_count();
+    const int count = static_cast<int>(batch_.entries().size());
+    selected_ = count == 0 ? -1 : std::clamp(selected_, 0, count - 1);
 }
 
 void MeshDialog::draw(EditorContext& context) {
     if (!open_)
         return;
     poll(context);
+    if (!open_)
+        return close();
     if (appears_) {
         ImGui::OpenPopup(popup_name);
         appears_ = false;
     }
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const ImVec2 size{std::min(window.x * 0.94f, context.px(840)),
-                      std::min(window.y * 0.92f, context.px(520))};
+    const ImVec2 size{std::min(window.x * 0.96f, context.px(1140)),
+                      std::min(window.y * 0.94f, context.px(700))};
     ImGui::SetNextWindowSize(size);
     ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
     bool keep = true;
     if (!ImGui::BeginPopupModal(popup_name, &keep,
                                 ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoSavedSettings)) {
-        open_ = false; // Esc closed it
-        waiting_.clear();
+        close(); // Esc closed it
         return;
     }
+    record_item("mesh", {ImGui::GetWindowPos(),
+                         {ImGui::GetWindowPos().x + size.x, ImGui::GetWindowPos().y + size.y}});
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const float foot = ImGui::GetFrameHeight() + context.px(10) + 2 * ImGui::GetStyle().ItemSpacing.y,
-                right = std::min(room.x * 0.45f, context.px(330));
-    const float height = room.y - foot;
-    ImGui::BeginGroup();
-    if (browser_.draw(context, {room.x - right - context.px(14), height}))
-        start_reading();
-    ImGui::EndGroup();
-    ImGui::SameLine(0, context.px(14));
-    if (ImGui::BeginChild("facts", {right, height}))
-        draw_facts(context, {right, height});
-    ImGui::EndChild();
-    ImGui::Dummy({1, context.px(4)});
-
-    const bool ready = mesh_.has_value();
-    const float button = context.px(110);
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room.x - 2 * button - context.px(8));
-    if (ImGui::Button("Cancel", {button, 0}))
-        keep = false;
-    record_item("mesh/cancel");
-    ImGui::SameLine(0, context.px(8));
-    ImGui::BeginDisabled(!ready);
-    ImGui::PushStyleColor(ImGuiCol_Button, context.theme.accent_dim);
-    if (ImGui::Button("Add to scene", {button, 0}) || (ready && browser_.confirmed()))
-        load(context);
-    ImGui::PopStyleColor();
-    record_item("mesh/add");
-    ImGui::EndDisabled();
-    item_tooltip(ready ? "" : "Choose a mesh file first.");
+    const float foot = ImGui::GetFrameHeight() + context.px(8) + ImGui::GetStyle().ItemSpacing.y;
+    draw_columns(context, {room.x, std::max(40.0f, room.y - foot)});
+    ImGui::Dummy({1, context.px(1)});
+    draw_foot(context, room.x);
     if (!keep)
         close();
     if (!open_)
@@ -142,82 +107,156 @@ void MeshDialog::draw(EditorContext& context) {
     ImGui::EndPopup();
 }
 
-void MeshDialog::draw_facts(EditorContext& context, ImVec2 size) {
-    const Theme& theme = context.theme;
-    const auto line = [&](ImU32 colour, const std::string& text) {
-        ImGui::PushStyleColor(ImGuiCol_Text, colour);
-        ImGui::PushTextWrapPos(size.x);
-        ImGui::TextUnformatted(text.c_str());
-        ImGui::PopTextWrapPos();
-        ImGui::PopStyleColor();
-    };
-    if (!problem_.empty())
-        return line(theme.bad, problem_);
-    if (reading_.valid())
-        return line(theme.text_dim, "Reading " + file_.filename().string());
-    if (!mesh_)
-        return line(theme.text_faint, "Choose a mesh. Files can also be dropped on the window.");
-    line(theme.text, file_.filename().string());
-    const std::string kind = mesh_->report.closed() ? "closed surface" : "surface with holes";
-    line(theme.text_dim, mesh_->format + ", " + std::to_string(mesh_->mesh.vertex_count()) + " vertices, " +
-                             std::to_string(mesh_->mesh.triangle_count()) + " triangles, " + kind);
-    const Vec3 box = bounding_box(mesh_->mesh.positions, mesh_->mesh.triangles).size() * scale_;
-    char text[120];
-    std::snprintf(text, sizeof text, "%.4g x %.4g x %.4g %s", box.x(), box.y(), box.z(),
-                  to_text(context.document.scene().unit));
-    line(theme.text_dim, text);
-    ImGui::Dummy({1, context.px(8)});
-    draw_choices(context);
-    ImGui::Dummy({1, context.px(8)});
-    for (const std::string& note : mesh_->report.lines())
-        line(theme.warning, note);
-    for (const std::string& note : mesh_->notes)
-        line(theme.text_dim, note);
+/// Files and list at the left, picture in the middle, choices at the right; in a narrow window without the picture.
+void MeshDialog::draw_columns(EditorContext& context, ImVec2 room) {
+    const float gap = context.px(12);
+    const bool wide = room.x > context.px(820);
+    const float left = wide ? context.px(270) : room.x * 0.45f;
+    const float right = wide ? context.px(300) : room.x - left - gap;
+    if (ImGui::BeginChild("left", {left, room.y}, false, ImGuiWindowFlags_NoScrollbar)) {
+        const float list = std::clamp(context.px(34.0f + 34.0f * static_cast<float>(batch_.entries().size())),
+                                      context.px(80), room.y * 0.5f);
+
+        if (browser_.draw(context, {left, std::max(60.0f, room.y - list - context.px(8))}) &&
+            !browser_.chosen().empty())
+            selected_ = batch_.add({browser_.chosen()});
+        ImGui::Dummy({1, context.px(2)});
+        draw_list(context, {left, ImGui::GetContentRegionAvail().y});
+    }
+    ImGui::EndChild();
+    selected_ = std::min(selected_, static_cast<int>(batch_.entries().size()) - 1); // one may have gone
+    ImGui::SameLine(0, gap);
+    if (wide) {
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float width = room.x - left - right - 2 * gap;
+        preview_.draw(context, batch_, selected_, {at, {at.x + width, at.y + room.y}});
+        ImGui::SetCursorScreenPos({at.x + width + gap, at.y});
+    }
+    if (ImGui::BeginChild("details", {right, room.y}))
+        draw_details(context);
+    ImGui::EndChild();
 }
 
-void MeshDialog::draw_choices(EditorContext& context) {
-    using actions::MeshRole;
-    const Scene& scene = context.document.scene();
-    if (ImGui::RadioButton("Muscle", role_ == MeshRole::muscle))
-        role_ = MeshRole::muscle;
-    record_item("mesh/muscle");
-    item_tooltip("It will be deformed. Needs a closed surface.");
-    ImGui::SameLine(0, context.px(18));
-    if (ImGui::RadioButton("Bone", role_ == MeshRole::bone))
-        role_ = MeshRole::bone;
-    record_item("mesh/bone");
-    item_tooltip("Rigid; muscles attach to it and cannot enter it.");
-    if (scene.timeline.hinge && role_ == MeshRole::bone) {
-        ImGui::Checkbox("Turns with the joint", &moving_);
-        record_item("mesh/moving");
-    }
-    ImGui::Dummy({1, context.px(4)});
-    ImGui::PushStyleColor(ImGuiCol_Text, context.theme.text_dim);
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("Coordinates times");
+void MeshDialog::draw_list(EditorContext& context, ImVec2 size) {
+    ImGui::PushStyleColor(ImGuiCol_Text, context.theme.text_faint);
+    ImGui::TextUnformatted(batch_.entries().empty() ? "To add: nothing yet" : "To add");
     ImGui::PopStyleColor();
-    for (const double factor : {0.001, 1.0, 1000.0}) {
-        ImGui::SameLine(0, context.px(10));
-        if (ImGui::RadioButton(number_text(factor).c_str(), scale_ == factor))
-            scale_ = factor;
-        record_item("mesh/scale/" + number_text(factor));
-        item_tooltip("The scene is in " + std::string(to_text(scene.unit)) +
-                     ".\nMeshes smaller than 5 are taken for metres, others for millimetres.");
+    const float height = std::max(20.0f, size.y - ImGui::GetTextLineHeightWithSpacing());
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, context.theme.plot);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+    if (ImGui::BeginChild("list", {size.x, height}))
+        for (int i = 0; i < static_cast<int>(batch_.entries().size()); ++i) {
+            const std::size_t before = batch_.entries().size();
+            draw_row(context, i, ImGui::GetContentRegionAvail().x);
+            if (batch_.entries().size() != before)
+                break; // taken out of the list
+        }
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+}
+
+void MeshDialog::draw_row(EditorContext& context, int index, float width) {
+    const Theme& theme = context.theme;
+    const MeshEntry& entry = batch_.entries()[static_cast<std::size_t>(index)];
+    const std::string id = "mesh/entry/" + entry.path.filename().string();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float height = context.px(34), close = context.px(24);
+    ImGui::PushID(entry.path.string().c_str());
+    if (ImGui::Selectable("##row", index == selected_, 0, {std::max(1.0f, width - close), height}))
+        selected_ = index;
+    record_item(id);
+    item_tooltip(entry.problem.empty() ? entry.path.string() : entry.problem);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float x = at.x + context.px(10), right = at.x + width - close - context.px(4);
+    std::string what = "waiting";
+    ImU32 colour = index == selected_ ? theme.text_dim : theme.text_faint;
+    if (!entry.problem.empty()) {
+        what = "cannot be read";
+        colour = theme.bad;
+    } else if (entry.read != nullptr) {
+        const bool bone = entry.role == actions::MeshRole::bone;
+        what = std::string(bone ? entry.moving ? "Moving bone" : "Bone" : "Muscle") + ", " +
+               count_text(entry.surface().report.triangles, "triangle", "triangles");
+        if (!entry.obstacle().empty()) {
+            what = std::string("Cannot be a ") + (bone ? "bone" : "muscle");
+            colour = theme.bad;
+        }
     }
+    const float half = height / 2;
+    draw_text_in(list, {{x, at.y + context.px(2)}, {right, at.y + half + context.px(1)}}, theme.text,
+                 entry.name);
+    draw_text_in(list, {{x, at.y + half - context.px(1)}, {right, at.y + height - context.px(2)}}, colour,
+                 what);
+    ImGui::SetCursorScreenPos({at.x + width - close, at.y + (height - close) / 2});
+    if (icon_button(context, (id + "/remove").c_str(), icons::close, false, true, "Leave this file out", 24))
+        batch_.remove(index);
+    ImGui::SetCursorScreenPos({at.x, at.y + height});
+    ImGui::PopID();
+}
+
+void MeshDialog::draw_foot(EditorContext& context, float width) {
+    const Theme& theme = context.theme;
+    std::string why;
+    const bool ready = batch_.ready(why);
+    const float button = context.px(130), cancel = context.px(90), space = context.px(8);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float room = width - button - cancel - 2 * space, line = ImGui::GetFrameHeight();
+    const int all = static_cast<int>(batch_.entries().size());
+    if (batch_.reading()) {
+        const float done = static_cast<float>(batch_.done_count()) / static_cast<float>(std::max(1, all));
+        ImGui::PushStyleColor(ImGuiCol_PlotHistogram, theme.accent_dim);
+        ImGui::ProgressBar(
+            done, {std::min(room, context.px(320)), line},
+            ("Read " + std::to_string(batch_.done_count()) + " of " + std::to_string(all)).c_str());
+        ImGui::PopStyleColor();
+        record_item("mesh/progress");
+    } else {
+        const bool serious = !problem_.empty() || (batch_.ready_count() > 0 && !ready);
+        const int unread = all - batch_.ready_count();
+        const std::string text =
+            !problem_.empty() ? problem_
+            : !why.empty()    ? why
+            : unread > 0      ? count_text(unread, "file", "files") + " cannot be read and will be left out."
+                              : "";
+        draw_text_in(*ImGui::GetWindowDrawList(), {at, {at.x + room, at.y + line}},
+                     serious ? theme.bad : theme.text_faint, text);
+    }
+    ImGui::SetCursorScreenPos({at.x + width - button - cancel - space, at.y});
+    if (ImGui::Button("Cancel", {cancel, 0}))
+        close();
+    record_item("mesh/cancel");
+    item_tooltip("Adds nothing (Esc).");
+    ImGui::SameLine(0, space);
+    ImGui::BeginDisabled(!ready);
+    ImGui::PushStyleColor(ImGuiCol_Button, theme.accent_dim);
+    const int count = batch_.ready_count();
+    const std::string label = count > 1 ? "Add " + std::to_string(count) + " meshes" : "Add to scene";
+    if (ImGui::Button((label + "###add").c_str(), {button, 0}) || (ready && browser_.confirmed()))
+        load(context);
+    ImGui::PopStyleColor();
+    record_item("mesh/add");
+    ImGui::EndDisabled();
+    item_tooltip(ready ? "Adds them in one step of the history." : why);
 }
 
 void MeshDialog::load(EditorContext& context) {
     try {
-        const int index = actions::add_mesh(context.document, role_, file_, *mesh_, scale_, moving_);
-        const auto i = static_cast<std::size_t>(index);
+        const std::vector<actions::NewMesh> meshes = batch_.meshes();
+        const std::size_t bones = context.document.scene().bones.size(),
+                          muscles = context.document.scene().muscles.size();
+        actions::add_meshes(context.document, meshes);
         const Scene& scene = context.document.scene();
-        const bool bone = role_ == actions::MeshRole::bone;
-        const std::string name = bone ? scene.bones[i].name : scene.muscles[i].name;
-        context.log.add(Severity::note,
-                        std::string(bone ? "Bone " : "Muscle ") + name + " added from " + file_.string());
-        context.state.selection = {bone ? Selection::Kind::bone : Selection::Kind::muscle, name};
+        const bool muscle = scene.muscles.size() > muscles;
+        for (const actions::NewMesh& mesh : meshes)
+            context.log.add(Severity::note,
+                            std::string(mesh.role == actions::MeshRole::bone ? "Bone " : "Muscle ") +
+                                "added from " + mesh.path.string());
+        if (meshes.size() == 1 || muscle)
+            context.state.selection = muscle ? Selection{Selection::Kind::muscle, scene.muscles[muscles].name}
+                                             : Selection{Selection::Kind::bone, scene.bones[bones].name};
         context.state.frame_view_pending = true;
-        next();
+        close();
     } catch (const std::exception& error) {
         problem_ = error.what();
         context.log.add(Severity::error, problem_);

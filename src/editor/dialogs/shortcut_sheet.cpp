@@ -69,6 +69,7 @@ void draw_shortcut_sheet(EditorContext& context) {
         if (ImGui::BeginTable("sheet", columns)) {
             ImGui::TableNextColumn();
             draw_group(context, "File");
+            draw_group(context, "Scene");
             draw_group(context, "Edit");
             draw_group(context, "Timeline");
             ImGui::TableNextColumn();

@@ -96,6 +96,13 @@ private:
         fact(context, "File", source.path.empty() ? "made by the program" : source.path);
     }
 
+    static void motion_button(EditorContext& context) {
+        if (ImGui::Button("Motion...", {ImGui::GetContentRegionAvail().x, 0}))
+            run_command(context, Command::show_motion);
+        record_item("selection/motion");
+        item_tooltip(tooltip(Command::show_motion));
+    }
+
     void draw_bone(EditorContext& context, int index) {
         const Bone bone = context.document.scene().bones[static_cast<std::size_t>(index)];
         name_field(context, bone.name, [&](const std::string& name) {
@@ -110,6 +117,7 @@ private:
         } else {
             fact(context, "Motion", moves ? "moves" : "stays at rest");
         }
+        motion_button(context);
         mesh_facts(context, *bone.mesh, bone.source);
     }
 
@@ -152,7 +160,7 @@ private:
         }
     }
 
-    static void draw_scene(const EditorContext& context) {
+    static void draw_scene(EditorContext& context) {
         const Scene& scene = context.document.scene();
         std::size_t triangles = 0;
         for (const Bone& bone : scene.bones)
@@ -175,6 +183,10 @@ private:
         if (recording != nullptr && recording->prepare_seconds() > 0)
             fact(context, "Prepared in", print("%.2f s", recording->prepare_seconds()),
                  "Attachments, distance grids and constraints of the run");
+        if (!scene.bones.empty()) {
+            ImGui::Dummy({1, context.px(2)});
+            motion_button(context);
+        }
     }
 
     std::string edited_name_, edited_name_for_;

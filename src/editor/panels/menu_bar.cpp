@@ -18,10 +18,19 @@ public:
         if (!ImGui::BeginMenuBar())
             return;
         file_menu(context);
-        menu(context, "Edit", {C::undo, C::redo}, {C::remove_selected, C::deselect});
+        menu(context, "Edit", {C::undo, C::redo}, {C::paint_mode, C::remove_selected, C::deselect});
+        menu(context, "Scene",
+             {C::open_file, C::load_attachments, C::load_surface_fibres, C::load_fibre_template,
+              C::load_lines},
+             {C::show_motion});
         view_menu(context);
         menu(context, "Run", {C::run_again, C::cancel_run},
-             {C::play_pause, C::step_back, C::step_on, C::first_frame, C::last_frame, C::toggle_loop});
+             {C::play_pause, C::step_back, C::step_on, C::first_frame, C::last_frame, C::toggle_loop,
+              C::toggle_ping_pong, C::toggle_every_frame, C::add_marker, C::previous_marker, C::next_marker});
+        menu(context, "Compare",
+             {C::toggle_compare, C::compare_side_by_side, C::compare_ghost, C::compare_blink,
+              C::compare_difference},
+             {C::blink_runs, C::swap_runs, C::load_run});
         window_menu(context);
         draw_title(context, area);
         ImGui::EndMenuBar();
@@ -56,7 +65,7 @@ private:
         ImGui::Separator();
         items(context, {C::save_project, C::save_project_as});
         ImGui::Separator();
-        items(context, {C::open_file, C::save_picture, C::save_picture_as});
+        items(context, {C::open_file, C::save_picture, C::save_picture_as, C::export_run});
         ImGui::Separator();
         items(context, {C::quit});
         ImGui::EndMenu();
@@ -80,7 +89,10 @@ private:
         items(context, {C::hide_selected, C::hide_others, C::show_all});
         ImGui::Separator();
         items(context, {C::toggle_attachments, C::toggle_wireframe, C::toggle_rest_ghost,
-                        C::toggle_joint_axis, C::next_colouring});
+                        C::toggle_joint_axis, C::toggle_fibres, C::toggle_line_muscles, C::next_colouring});
+        ImGui::Separator();
+        items(context, {C::toggle_see_through, C::toggle_occlusion, C::toggle_section, C::flip_section,
+                        C::show_display});
         ImGui::EndMenu();
     }
 
@@ -93,9 +105,16 @@ private:
         ImGui::MenuItem("Plots and messages", nullptr, &sizes.show_bottom);
         ImGui::Separator();
         items(context, {C::toggle_theme, C::larger_interface, C::smaller_interface, C::normal_interface,
-                        C::toggle_full_screen});
+                        C::toggle_full_screen, C::present});
         ImGui::Separator();
-        items(context, {C::show_shortcuts});
+        for (const NavigationRow& row : navigations) {
+            if (ImGui::MenuItem(row.label, nullptr, context.state.navigation == row.navigation))
+                context.state.navigation = row.navigation;
+            record_item(std::string("menu/mouse/") + row.key);
+            item_tooltip(row.help);
+        }
+        ImGui::Separator();
+        items(context, {C::search_commands, C::show_shortcuts});
         ImGui::EndMenu();
     }
 

@@ -37,6 +37,8 @@ public:
               {{"toolbar/attachments", icons::tag, C::toggle_attachments},
                {"toolbar/wireframe", icons::grid, C::toggle_wireframe},
                {"toolbar/ghost", icons::ghost, C::toggle_rest_ghost},
+               {"toolbar/see_through", icons::adjust, C::toggle_see_through},
+               {"toolbar/section", icons::cut, C::toggle_section},
                {"toolbar/orthographic", icons::cube, C::toggle_orthographic},
                {"toolbar/frame_all", icons::expand, C::frame_all}});
         colouring(context, side);
@@ -71,7 +73,8 @@ private:
         std::string tip = "Colours of muscles (" + shortcut(C::next_colouring) + ")";
         for (const view::ColouringRow& row : view::colourings())
             tip.append("\n").append(row.label).append(": ").append(row.help);
-        if (ImGui::BeginCombo("##colouring", view::colouring_row(context.state.colouring).label)) {
+        if (ImGui::BeginCombo("##colouring", view::colouring_row(context.state.colouring).label,
+                              ImGuiComboFlags_HeightLarge)) {
             for (const view::ColouringRow& row : view::colourings()) {
                 if (ImGui::Selectable(row.label, row.colouring == context.state.colouring))
                     context.state.colouring = row.colouring;
@@ -83,6 +86,9 @@ private:
         ImGui::PopStyleVar();
         record_item("toolbar/colouring");
         item_tooltip(tip);
+        ImGui::SameLine();
+        ImGui::SetCursorPosY(y);
+        tool_button(context, "toolbar/display", icons::sliders, C::show_display);
     }
 
     /// What the solver is doing, with its button, at the right end.
@@ -121,7 +127,7 @@ private:
     }
 
     static std::string running_text(const EditorContext& context, const std::string& stage) {
-        const int count = context.runs.valid_count();
+        const int count = context.runs.recording()->frame_count();
         if (count > 1)
             return "Solving frame " + std::to_string(count) + " of " + std::to_string(context.last_frame());
         return stage.empty() || stage == "prepare" || stage == "solve" ? "Preparing the run"

@@ -1,12 +1,16 @@
 #include "editor/panels/panels.hpp"
 
+#include "editor/features.hpp"
 #include "editor/picking.hpp"
 #include "editor/scene_view.hpp"
+#include "editor/viewport/compare_overlay.hpp"
 #include "editor/viewport_tool.hpp"
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/orientation_cube.hpp"
 #include "editor/widgets/tool_button.hpp"
 #include "render/imgui_renderer.hpp"
+
+#include <algorithm>
 
 namespace fascicle::editor {
 
@@ -22,9 +26,22 @@ class Viewport : public Panel {
 public:
     void draw(EditorContext& context, const Rect& area) override {
         EditorState& state = context.state;
-        const view::ViewSize size{double(area.width()), double(area.height())};
+        const Rect left = compare_part(context, area, false), right = compare_part(context, area, true);
+        const bool two = right.min.x > left.min.x;
+        // A drag stays with the picture that it began in; both have the same size and camera.
+        if (!ImGui::IsMouseDown(0) && !ImGui::IsMouseDown(1) && !ImGui::IsMouseDown(2))
+            in_second_ = two && ImGui::GetIO().MousePos.x >= left.max.x;
+        in_second_ = in_second_ && two;
+        const Rect part = in_second_ ? right : left;
+        const view::ViewSize size{double(part.width()), double(part.height())};
         state.view_aspect = size.aspect();
-        state.camera.set_scene_bounds(bounds(context));
+        state.view_width = std::max(1, static_cast<int>(area.width()));
+        state.view_height = std::max(1, static_cast<int>(area.height()));
+        state.scene_box = bounds(context);
+        state.camera.set_scene_bounds(state.scene_box);
+        if (two && !two_before_ && cut_off(context, {double(area.width()), double(area.height())}, size))
+            state.frame_view_pending = true;
+        two_before_ = two;
         if (state.frame_view_pending) {
             state.frame_view_pending = false;
             run_command(context, C::frame_all);
@@ -35,9 +52,11 @@ public:
                                    ImGuiButtonFlags_MouseButtonMiddle);
         record_item("viewport");
         const bool hovered = ImGui::IsItemHovered();
-        handle_pointer(context, area, size, hovered);
-        draw_picture(context, area);
-        draw_overlays(context, area, hovered);
+        handle_pointer(context, part, size, hovered);
+        draw_picture(context, left, false);
+        if (two)
+            draw_picture(context, right, true);
+        draw_overlays(context, area, part, hovered);
         context_menu(context);
     }
 
@@ -52,6 +71,20 @@ private:
         return bounds_;
     }
 
+    /// Whether all that is visible fits into a picture of the one size, and not into the other.
+    static bool cut_off(const EditorContext& context, const view::ViewSize& full,
+                        const view::ViewSize& part) {
+        const view::ViewSubject subject = view_subject(context);
+        const Points points = view::visible_points(subject, view_options(context, *subject.scene));
+        const auto fits = [&](const view::ViewSize& size) {
+            return std::all_of(points.begin(), points.end(), [&](const Vec3& p) {
+                const std::optional<Vec2> at = context.state.camera.project(p, size);
+                return at && at->x() >= 0 && at->x() <= size.width && at->y() >= 0 && at->y() <= size.height;
+            });
+        };
+        return fits(full) && !fits(part);
+    }
+
     void handle_pointer(EditorContext& context, const Rect& area, const view::ViewSize& size, bool hovered) {
         const ImGuiIO& io = ImGui::GetIO();
         PointerInput input;
@@ -63,6 +96,9 @@ private:
         input.wheel = double(io.MouseWheel != 0 ? io.MouseWheel : io.MouseWheelH);
         input.ctrl = io.KeyCtrl;
         input.shift = io.KeyShift;
+        input.alt = io.KeyAlt;
+        input.camera_held = io.KeysDown[key_v];
+        input.navigation = context.state.navigation;
         input.inside = hovered && !cube_hovered_;
         for (int button = 0; button < 3; ++button) {
             if (input.inside && ImGui::IsMouseClicked(button))
@@ -70,30 +106,40 @@ private:
             if (ImGui::IsMouseReleased(button))
                 input.released = button;
         }
-        if (input.inside && ImGui::IsMouseDoubleClicked(0) && !io.KeyCtrl && !io.KeyShift)
-            if (const std::optional<Hit> hit = pick_at(context, input, size))
+        if (EditorState& state = context.state;
+            input.inside && input.ctrl && input.wheel != 0 && state.section.on) {
+            move_section(state.section, state.scene_box, input.wheel * 0.01);
+            input.wheel = 0; // no zoom as well
+        }
+        if (input.inside && ImGui::IsMouseDoubleClicked(0) && !io.KeyCtrl && !io.KeyShift &&
+            (active_tool(context) == nullptr || input.alt || input.camera_held))
+            if (const std::optional<Hit> hit = pick_at(context, input, size, in_second_))
                 context.state.camera.set_pivot(hit->point);
         if (ViewportTool* tool = active_tool(context);
             tool != nullptr && !pointer_.dragging() && tool->take_pointer(context, input, size))
             return;
+        if (input.inside && context.state.tool == Tool::look && !pointer_.dragging())
+            context.features.fibre_hover.point_at(context, {input.x, input.y}, size);
         const ViewportPointer::Result result =
             pointer_.update(input, size, double(context.scale()), context.state.camera);
         if (result.clicked && *result.clicked != 2) {
-            select(context, pick_at(context, input, size));
+            if (active_tool(context) == nullptr) // a tool keeps what it works on
+                select(context, pick_at(context, input, size, in_second_), in_second_);
             if (*result.clicked == 1)
                 ImGui::OpenPopup("viewport menu");
         }
     }
 
     static std::optional<Hit> pick_at(const EditorContext& context, const PointerInput& input,
-                                      const view::ViewSize& size) {
-        const view::ViewSubject subject = view_subject(context);
+                                      const view::ViewSize& size, bool second) {
+        const view::ViewSubject subject =
+            second ? context.features.compare.subject(true) : view_subject(context);
         return pick(subject, view_options(context, *subject.scene),
                     context.state.camera.ray(input.x, input.y, size));
     }
 
-    static void select(EditorContext& context, const std::optional<Hit>& hit) {
-        const Scene& scene = context.shown_scene();
+    static void select(EditorContext& context, const std::optional<Hit>& hit, bool second) {
+        const Scene& scene = second ? context.features.compare.b().recording->scene() : context.shown_scene();
         Selection& selection = context.state.selection;
         if (!hit)
             selection = {};
@@ -103,7 +149,7 @@ private:
             selection = {Selection::Kind::muscle, scene.muscles[static_cast<std::size_t>(hit->muscle)].name};
     }
 
-    static void draw_picture(EditorContext& context, const Rect& area) {
+    static void draw_picture(EditorContext& context, const Rect& area, bool second) {
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const Theme& theme = context.theme;
         const int width = static_cast<int>(area.width()), height = static_cast<int>(area.height());
@@ -112,11 +158,15 @@ private:
             list.AddRectFilledMultiColor(area.min, area.max, top, top, bottom, bottom);
             return;
         }
-        const unsigned texture = context.view->texture(context, width, height);
+        Compare& compare = context.features.compare;
+        const unsigned texture =
+            second ? compare.second_view(context).texture(context, compare.subject(true), width, height)
+                   : context.view->texture(context, width, height);
         list.AddImage(render::texture_id(texture), area.min, area.max, {0, 1}, {1, 0});
     }
 
-    void draw_overlays(EditorContext& context, const Rect& area, bool hovered) {
+    /// part: the picture under the pointer, of one or two.
+    void draw_overlays(EditorContext& context, const Rect& area, const Rect& part, bool hovered) {
         ImDrawList& list = *ImGui::GetWindowDrawList();
         for (const OverlayRow& row : viewport_overlays())
             row.draw(context, list, area);
@@ -134,7 +184,7 @@ private:
             cube_hovered_ = false;
         }
         if (ViewportTool* tool = active_tool(context))
-            tool->draw(context, list, area);
+            tool->draw(context, list, part);
     }
 
     static void context_menu(EditorContext& context) {
@@ -152,8 +202,8 @@ private:
         for (const Command command : {C::hide_selected, C::hide_others, C::show_all})
             menu_item(context, command);
         ImGui::Separator();
-        for (const Command command :
-             {C::toggle_attachments, C::toggle_wireframe, C::toggle_rest_ghost, C::toggle_orthographic})
+        for (const Command command : {C::toggle_attachments, C::toggle_wireframe, C::toggle_rest_ghost,
+                                      C::toggle_orthographic, C::toggle_see_through, C::toggle_section})
             menu_item(context, command);
         ImGui::Separator();
         menu_item(context, C::save_picture);
@@ -164,6 +214,8 @@ private:
     BoundingBox bounds_;
     ScenePtr bounds_for_;
     bool cube_hovered_ = false;
+    bool two_before_ = false; ///< two pictures in the frame before
+    bool in_second_ = false;  ///< the pointer belongs to the right one of two pictures
 };
 
 } // namespace

@@ -1,5 +1,9 @@
 #include "editor/viewport_tool.hpp"
 
+#include "editor/features.hpp"
+#include "editor/scene_view.hpp"
+#include "editor/viewport/compare_overlay.hpp"
+#include "editor/viewport/recording_badge.hpp"
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/legend.hpp"
 #include "editor/widgets/paint.hpp"
@@ -29,6 +33,11 @@ std::vector<LegendEntry> attachment_entries(const EditorContext& context) {
             insertion |= attachment.kind == AttachmentKind::insertion;
             unknown |= attachment.kind == AttachmentKind::unknown;
         }
+    for (const Muscle& muscle : context.document.scene().muscles)
+        for (const AttachmentArea& area : muscle.areas) {
+            origin |= area.kind == AttachmentKind::origin;
+            insertion |= area.kind == AttachmentKind::insertion;
+        }
     std::vector<LegendEntry> entries;
     if (origin)
         entries.push_back({"Origin", packed(view::palette::origin)});
@@ -40,38 +49,36 @@ std::vector<LegendEntry> attachment_entries(const EditorContext& context) {
 }
 
 void draw_legends(EditorContext& context, ImDrawList& list, const Rect& area) {
-    if (area.height() < context.px(240))
-        return;
+    if (area.height() < context.px(240) || context.features.compare.active(CompareMode::difference))
+        return; // the difference map has a legend of its own
     const ImVec2 corner{area.max.x - context.px(12), area.min.y + context.px(12)};
     std::vector<LegendEntry> entries;
-    switch (context.state.colouring) {
-    case view::Colouring::strain:
-    case view::Colouring::fibres:
-    case view::Colouring::depth: {
-        const view::ViewOptions options;
-        const view::Colouring colouring = context.state.colouring;
-        const view::ColourScale& scale = colouring == view::Colouring::strain   ? options.strain_scale
-                                         : colouring == view::Colouring::fibres ? options.stretch_scale
-                                                                                : options.depth_scale;
-        const Rect plate = draw_colour_bar(list, corner, view::colouring_row(colouring).legend, scale,
+    const view::Colouring colouring = context.state.colouring;
+    if (const view::ColouringRow& row = view::colouring_row(colouring); row.has_scale()) {
+        const Rect plate = draw_colour_bar(list, corner, row.legend, context.state.colour_scales[colouring],
                                            context.theme, context.scale());
         record_item("viewport/legend", plate);
+        if (context.view != nullptr && context.view->waiting())
+            record_item("viewport/legend/waiting",
+                        draw_badge(list, {plate.max.x, plate.max.y + context.px(6)}, Align::right,
+                                   "Computing", context.theme.text_dim, context.theme.badge));
         return;
     }
-    case view::Colouring::contact:
+    if (colouring == view::Colouring::contact)
         for (const view::ContactRow& row : view::contact_rows())
             entries.push_back({row.label, packed(row.colour)});
-        break;
-    case view::Colouring::anatomy:
-        if (context.state.attachments)
-            entries = attachment_entries(context);
-    }
+    else if (context.state.attachments)
+        entries = attachment_entries(context);
     if (!entries.empty())
         record_item("viewport/legend", draw_swatches(list, corner, entries, context.theme, context.scale()));
 }
 
 /// A sentence when what is seen is not the computed frame at the playhead.
 void draw_state(EditorContext& context, ImDrawList& list, const Rect& area) {
+    if (context.features.compare.active())
+        return; // labels of their own
+    if (context.features.motion.preview() != nullptr)
+        return; // what is seen is no frame of a run
     const ImVec2 at{area.min.x + area.width() / 2, area.min.y + context.px(12)};
     const Theme& theme = context.theme;
     const ShownFrame shown = context.shown();
@@ -98,6 +105,17 @@ void draw_state(EditorContext& context, ImDrawList& list, const Rect& area) {
                     draw_badge(list, at, Align::centre, elided(text, context.px(520)), colour, theme.badge));
 }
 
+/// A file that is being read, with its way out.
+void draw_loading(EditorContext& context, ImDrawList& list, const Rect& area) {
+    const FileLoader& loader = context.features.loader;
+    if (!loader.reading())
+        return;
+    record_item("viewport/loading",
+                draw_badge(list, {area.min.x + area.width() / 2, area.max.y - context.px(40)}, Align::centre,
+                           elided("Reading " + loader.what(), context.px(420)) + "; Esc cancels",
+                           context.theme.text, context.theme.badge));
+}
+
 void draw_empty(EditorContext& context, ImDrawList& list, const Rect& area) {
     const Scene& scene = context.document.scene();
     if (!scene.bones.empty() || !scene.muscles.empty())
@@ -110,13 +128,22 @@ void draw_empty(EditorContext& context, ImDrawList& list, const Rect& area) {
                  "Drop a mesh of a bone or a muscle here, or press " + shortcut(C::open_file), Align::centre);
 }
 
+void draw_hovered_fibre(EditorContext& context, ImDrawList& list, const Rect& area) {
+    context.features.fibre_hover.draw(context, list, area);
+}
+
 } // namespace
 
 const std::vector<OverlayRow>& viewport_overlays() {
     static const std::vector<OverlayRow> rows{
+        {"fibre", draw_hovered_fibre},
         {"legend", draw_legends},
         {"state", draw_state},
+        {"motion", draw_motion_overlay},
+        {"loading", draw_loading},
         {"empty", draw_empty},
+        {"compare", draw_compare_overlay},
+        {"recording", draw_recording_badge},
     };
     return rows;
 }

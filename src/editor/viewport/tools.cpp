@@ -1,3 +1,4 @@
+#include "editor/features.hpp"
 #include "editor/viewport_tool.hpp"
 
 namespace fascicle::editor {
@@ -5,8 +6,11 @@ namespace fascicle::editor {
 ViewportTool* active_tool(EditorContext& context) {
     switch (context.state.tool) {
     case Tool::look:
-    case Tool::paint:
         return nullptr;
+    case Tool::paint:
+        return &context.features.paint_tool;
+    case Tool::pick_point:
+        return &context.features.motion;
     }
     return nullptr;
 }

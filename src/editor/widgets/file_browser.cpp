@@ -109,7 +109,7 @@ bool FileBrowser::draw(const EditorContext& context, ImVec2 size) {
             ImGui::PushStyleColor(ImGuiCol_Text,
                                   problem_.empty() ? context.theme.text_faint : context.theme.bad);
             ImGui::SetCursorPos({context.px(10), context.px(8)});
-            ImGui::TextUnformatted((problem_.empty() ? empty_text_ : problem_).c_str());
+            ImGui::TextUnformatted(problem_.empty() ? empty_text_.c_str() : problem_.c_str());
             ImGui::PopStyleColor();
         }
         for (const Entry& entry : entries_) {

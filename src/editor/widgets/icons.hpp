@@ -21,6 +21,7 @@ inline constexpr Icon last{"\xEF\x81\x91", ">|"};        // U+F051
 inline constexpr Icon back{"\xEF\x81\x93", "<"};         // U+F053
 inline constexpr Icon on{"\xEF\x81\x94", ">"};           // U+F054
 inline constexpr Icon loop{"\xEF\x81\xB9", "Loop"};      // U+F079
+inline constexpr Icon ping_pong{"\xEF\x83\xAC", "<->"};  // U+F0EC
 inline constexpr Icon again{"\xEF\x80\xA1", "Run"};      // U+F021
 inline constexpr Icon eye{"\xEF\x81\xAE", "on"};         // U+F06E
 inline constexpr Icon eye_off{"\xEF\x81\xB0", "off"};    // U+F070
@@ -40,7 +41,22 @@ inline constexpr Icon folder{"\xEF\x81\xBB", ""};        // U+F07B
 inline constexpr Icon up{"\xEF\x81\xA2", "^"};           // U+F062
 inline constexpr Icon trash{"\xEF\x80\x94", "Remove"};   // U+F014
 inline constexpr Icon link{"\xEF\x83\x81", "fixed"};     // U+F0C1
+inline constexpr Icon pin{"\xEF\x82\x8D", "pin"};        // U+F08D
+inline constexpr Icon sliders{"\xEF\x87\x9E", "use"};    // U+F1DE
+inline constexpr Icon exchange{"\xEF\x83\xAC", "swap"};  // U+F0EC
 inline constexpr Icon check{"\xEF\x80\x8C", "ok"};       // U+F00C
+
+inline constexpr Icon brush{"\xEF\x87\xBC", "Brush"};        // U+F1FC
+inline constexpr Icon eraser{"\xEF\x84\xAD", "Erase"};       // U+F12D
+inline constexpr Icon drop{"\xEF\x81\x83", "Smooth"};        // U+F043
+inline constexpr Icon wand{"\xEF\x83\x90", "Smart"};         // U+F0D0
+inline constexpr Icon filled_ring{"\xEF\x86\x92", "Bucket"}; // U+F192
+inline constexpr Icon pencil{"\xEF\x81\x80", "Lasso"};       // U+F040
+inline constexpr Icon line_chart{"\xEF\x88\x81", "Line"};    // U+F201
+inline constexpr Icon lock{"\xEF\x80\xA3", "locked"};        // U+F023
+inline constexpr Icon unlock{"\xEF\x82\x9C", "open"};        // U+F09C
+inline constexpr Icon adjust{"\xEF\x81\x82", "Through"};     // U+F042
+inline constexpr Icon cut{"\xEF\x83\x84", "Cut"};            // U+F0C4
 } // namespace icons
 
 /// Whether the icon font is loaded; set once by the editor.

@@ -70,34 +70,6 @@ void draw_hatching(ImDrawList& list, const Rect& rect, ImU32 colour, float spaci
     list.PopClipRect();
 }
 
-Ticks nice_ticks(double low, double high, int count) {
-    if (!(high > low) || !std::isfinite(high - low) || count < 1)
-        return {};
-    const double raw = (high - low) / count;
-    const double power = std::pow(10.0, std::floor(std::log10(raw)));
-    double step = 10 * power;
-    for (const double factor : {1.0, 2.0, 5.0})
-        if (factor * power >= raw * (1 - 1e-9)) {
-            step = factor * power;
-            break;
-        }
-    const double first = std::ceil(low / step - 1e-9) * step;
-    return {first, step, static_cast<int>(std::floor((high - first) / step + 1e-9)) + 1};
-}
-
-std::string tick_text(double value, double step) {
-    if (std::abs(value) < step * 1e-6)
-        value = 0; // not "-0"
-    char buffer[40];
-    if (step >= 1e6 || step < 1e-6) {
-        std::snprintf(buffer, sizeof buffer, "%.1e", value);
-    } else {
-        const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
-        std::snprintf(buffer, sizeof buffer, "%.*f", decimals, value);
-    }
-    return buffer;
-}
-
 std::string value_text(double value) {
     if (!std::isfinite(value))
         return "-";

@@ -3,6 +3,7 @@
 
 #include "editor/layout.hpp"
 #include "editor/theme.hpp"
+#include "view/ticks.hpp"
 
 #include <string_view>
 
@@ -25,17 +26,9 @@ Rect draw_badge(ImDrawList& list, ImVec2 at, Align align, std::string_view text,
 /// Diagonal stripes, for what is stale.
 void draw_hatching(ImDrawList& list, const Rect& rect, ImU32 colour, float spacing, float thickness);
 
-/// Ticks that people would choose: multiples of 1, 2 or 5 times a power of ten. At most `count` + 1 of them
-/// within [low, high]. Empty when the range is empty or not finite.
-struct Ticks {
-    double first = 0;
-    double step = 0;
-    int count = 0;
-    double at(int i) const { return first + step * i; }
-};
-Ticks nice_ticks(double low, double high, int count);
-/// A number with just the decimals that tell ticks `step` apart.
-std::string tick_text(double value, double step);
+using view::nice_ticks;
+using view::tick_text;
+using view::Ticks;
 /// Four significant digits, or so; "-" when it is not finite.
 std::string value_text(double value);
 

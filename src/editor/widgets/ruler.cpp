@@ -1,6 +1,7 @@
 #include "editor/widgets/ruler.hpp"
 
 #include "editor/frame_axis.hpp"
+#include "editor/playback.hpp"
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/paint.hpp"
 
@@ -85,6 +86,55 @@ void draw_cache(const EditorContext& context, ImDrawList& list, const Scale& sca
     }
 }
 
+/// What is not played is veiled; grips at both ends of what is.
+void draw_range(const EditorContext& context, ImDrawList& list, const Scale& scale, const Rect& bar) {
+    const Theme& theme = context.theme;
+    const auto [low, high] = played_range(context.state.playback, context.last_frame());
+    const ImU32 veil = with_alpha(theme.panel, 0.6f);
+    if (low > 0)
+        list.AddRectFilled({scale.rect.min.x, scale.rect.min.y + context.px(16)}, {scale.x(low), bar.max.y},
+                           veil);
+    if (high < context.last_frame())
+        list.AddRectFilled({scale.x(high), scale.rect.min.y + context.px(16)}, {scale.rect.max.x, bar.max.y},
+                           veil);
+    const float half = std::max(1.5f, context.px(2));
+    const ImU32 colour = context.state.playback.range ? theme.accent : theme.text_faint;
+    const auto grip = [&](int frame, const char* name) {
+        const float x = std::round(scale.x(frame));
+        const Rect rect{{x - half, bar.min.y - context.px(4)}, {x + half, bar.max.y + context.px(3)}};
+        list.AddRectFilled(rect.min, rect.max, colour, half);
+        record_item(name, rect);
+    };
+    grip(low, "timeline/range/first");
+    grip(high, "timeline/range/last");
+}
+
+float marker_middle(const EditorContext& context, const Rect& rect, const Rect& bar) {
+    return (rect.min.y + context.px(16) + bar.min.y) / 2;
+}
+
+void draw_markers(const EditorContext& context, ImDrawList& list, const Scale& scale, const Rect& bar,
+                  const RulerGrab& grab) {
+    const std::vector<Marker>& markers = context.document.scene().markers;
+    const float half = context.px(5), y = marker_middle(context, scale.rect, bar);
+    for (std::size_t i = 0; i < markers.size(); ++i) {
+        const bool held = grab.what == RulerGrab::What::marker && grab.marker == i;
+        const int frame = held ? grab.frame : markers[i].frame;
+        if (frame > context.last_frame())
+            continue;
+        const float x = std::round(scale.x(frame));
+        list.AddLine({x, scale.rect.min.y + context.px(16)}, {x, bar.max.y},
+                     with_alpha(context.theme.warning, 0.7f), context.scale());
+        list.AddQuadFilled({x, y - half}, {x + half, y}, {x, y + half}, {x - half, y}, context.theme.warning);
+        record_item("timeline/marker/" + markers[i].name, {{x - half, y - half}, {x + half, y + half}});
+        // The name, where the next marker leaves room for it.
+        const float next = i + 1 < markers.size() ? scale.x(markers[i + 1].frame) : scale.rect.max.x;
+        const std::string shown = elided(markers[i].name, next - x - 3 * half);
+        draw_text(list, {x + half + context.px(3), y - ImGui::GetFontSize() / 2}, context.theme.text_dim,
+                  shown);
+    }
+}
+
 const char* state_text(FrameState state) {
     switch (state) {
     case FrameState::valid:
@@ -97,9 +147,67 @@ const char* state_text(FrameState state) {
     return "";
 }
 
+/// What is under the pointer, as a press would take it.
+RulerGrab under_pointer(const EditorContext& context, const Scale& scale, const Rect& bar) {
+    const ImVec2 p = ImGui::GetIO().MousePos;
+    const auto [low, high] = played_range(context.state.playback, context.last_frame());
+    const float reach = context.px(6);
+    if (p.y >= bar.min.y - context.px(4)) {
+        const float to_first = std::abs(p.x - scale.x(low)), to_last = std::abs(p.x - scale.x(high));
+        // Where both are in reach, the one on whose side the pointer is.
+        if (to_last <= reach && (to_last < to_first || p.x >= scale.x(high)))
+            return {RulerGrab::What::last, 0, high};
+        if (to_first <= reach)
+            return {RulerGrab::What::first, 0, low};
+    }
+    const std::vector<Marker>& markers = context.document.scene().markers;
+    const float y = marker_middle(context, scale.rect, bar);
+    for (std::size_t i = 0; i < markers.size(); ++i)
+        if (std::abs(p.x - scale.x(markers[i].frame)) <= reach && std::abs(p.y - y) <= reach)
+            return {RulerGrab::What::marker, i, markers[i].frame};
+    return {RulerGrab::What::playhead, 0, 0};
+}
+
+void hint(const EditorContext& context, const RulerGrab& grab, double pointer) {
+    switch (grab.what) {
+    case RulerGrab::What::first:
+        return ImGui::SetTooltip("First frame that is played: %d\nDrag to change it.", grab.frame);
+    case RulerGrab::What::last:
+        return ImGui::SetTooltip("Last frame that is played: %d\nDrag to change it.", grab.frame);
+    case RulerGrab::What::marker:
+        return ImGui::SetTooltip("%s, frame %d\nDrag moves it, a right click shows its menu.",
+                                 context.document.scene().markers[grab.marker].name.c_str(), grab.frame);
+    default:
+        ImGui::SetTooltip("%s %s\n%s\nDouble-click adds a marker.", axis_label(context.state.ruler),
+                          frame_text(context.document.scene(), context.state.ruler, pointer).c_str(),
+                          state_text(context.runs.at(static_cast<int>(pointer)).state));
+    }
+}
+
+/// What a drag that is under way does.
+void drag(const EditorContext& context, RulerGrab& grab, int pointer, RulerResult& result) {
+    auto [low, high] = played_range(context.state.playback, context.last_frame());
+    switch (grab.what) {
+    case RulerGrab::What::playhead:
+        result.moved_to = pointer;
+        break;
+    case RulerGrab::What::first:
+        result.range = std::pair(std::min(pointer, high), high);
+        break;
+    case RulerGrab::What::last:
+        result.range = std::pair(low, std::max(pointer, low));
+        break;
+    case RulerGrab::What::marker:
+        grab.frame = pointer;
+        break;
+    case RulerGrab::What::none:
+        break;
+    }
+}
+
 } // namespace
 
-RulerResult draw_ruler(const EditorContext& context, const Rect& rect) {
+RulerResult draw_ruler(const EditorContext& context, const Rect& rect, RulerGrab& grab) {
     RulerResult result;
     const Theme& theme = context.theme;
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -109,22 +217,39 @@ RulerResult draw_ruler(const EditorContext& context, const Rect& rect) {
     draw_motion(context, list, scale, rect.min.y + context.px(16), bar.min.y);
     draw_ticks(context, list, scale);
     draw_cache(context, list, scale, bar);
+    draw_range(context, list, scale, bar);
+    draw_markers(context, list, scale, bar, grab);
 
     const float reach = context.px(6); // the ends are easy to hit
     ImGui::SetCursorScreenPos({rect.min.x - reach, rect.min.y});
-    ImGui::InvisibleButton("timeline/ruler", {rect.width() + 2 * reach, rect.height()});
+    ImGui::InvisibleButton("timeline/ruler", {rect.width() + 2 * reach, rect.height() + context.px(4)},
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
     record_item("timeline/ruler", rect);
     record_item("timeline/cache", bar);
     const double pointer = std::clamp(std::round(scale.frame(ImGui::GetIO().MousePos.x)), 0.0, scale.last);
-    if (ImGui::IsItemActive())
-        result.moved_to = static_cast<int>(pointer);
-    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
-        result.hovered = pointer;
-        if (!ImGui::IsItemActive())
-            ImGui::SetTooltip("%s %s\n%s", axis_label(context.state.ruler),
-                              frame_text(context.document.scene(), context.state.ruler, pointer).c_str(),
-                              state_text(context.runs.at(static_cast<int>(pointer)).state));
+    const int frame = static_cast<int>(pointer);
+    const bool hovered = ImGui::IsItemHovered(), active = ImGui::IsItemActive();
+    const RulerGrab under = under_pointer(context, scale, bar);
+    if (hovered && ImGui::IsMouseClicked(0))
+        grab = under;
+    if (active && ImGui::IsMouseDown(0))
+        drag(context, grab, frame, result);
+    if (!ImGui::IsMouseDown(0) && grab.what != RulerGrab::What::none) {
+        if (grab.what == RulerGrab::What::marker)
+            result.moved_marker = std::pair(grab.marker, grab.frame);
+        grab = {};
     }
+    if (hovered && ImGui::IsMouseDoubleClicked(0) && under.what == RulerGrab::What::playhead)
+        result.double_clicked = frame;
+    if (hovered && ImGui::IsMouseReleased(1)) {
+        result.menu_at = frame;
+        if (under.what == RulerGrab::What::marker)
+            result.menu_marker = under.marker;
+    }
+    if (hovered || active)
+        result.hovered = pointer;
+    if (hovered && !active)
+        hint(context, under, pointer);
 
     if (context.state.hover_frame) {
         const float x = std::round(scale.x(*context.state.hover_frame));

@@ -29,17 +29,15 @@ namespace {
 // Deflate packs at most 1032 bytes into one, and a PNG pixel has at least one bit.
 constexpr double most_pixels_per_byte = 1032.0 * 8.0;
 
-void append(void* file, void* data, int size) {
-    static_cast<AtomicFile*>(file)->write(data, static_cast<std::size_t>(size));
+void append(void* bytes, void* data, int size) {
+    static_cast<std::string*>(bytes)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
 }
 
-} // namespace
-
-void write_png(const std::filesystem::path& path, int width, int height, const std::uint8_t* rgba) {
+std::string pack(const std::string& name, int width, int height, const std::uint8_t* rgba) {
     FASCICLE_ASSERT(width >= 1 && height >= 1 && width <= 32768 && height <= 32768 && rgba != nullptr);
     // stb counts bytes in int: a 4-channel picture with its filter bytes must stay below 2^31.
     if (static_cast<double>(width) * height > 500e6)
-        throw_error(path.string(), "the picture is too large", "at most 500 million pixels");
+        throw_error(name, "the picture is too large", "at most 500 million pixels");
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     bool opaque = true;
     for (std::size_t i = 0; i < pixels && opaque; ++i)
@@ -52,14 +50,28 @@ void write_png(const std::filesystem::path& path, int width, int height, const s
                 rgb[3 * i + c] = rgba[4 * i + c];
     }
     const int channels = opaque ? 3 : 4;
-    stbi_write_png_compression_level =
-        5; // stb's lowest; trying all filters and packing harder takes 130 ms a picture
-    stbi_write_force_png_filter = 1;
-    AtomicFile file(path);
-    if (stbi_write_png_to_func(append, &file, width, height, channels, opaque ? rgb.data() : rgba,
+    // stb's lowest level; trying all filters and packing harder takes 130 ms a picture. Set once: several threads pack.
+    static const bool settled = [] {
+        stbi_write_png_compression_level = 5;
+        stbi_write_force_png_filter = 1;
+        return true;
+    }();
+    (void)settled;
+    std::string bytes;
+    if (stbi_write_png_to_func(append, &bytes, width, height, channels, opaque ? rgb.data() : rgba,
                                width * channels) == 0)
-        throw_error(path.string(), "cannot pack the picture: out of memory");
-    file.commit();
+        throw_error(name, "cannot pack the picture: out of memory");
+    return bytes;
+}
+
+} // namespace
+
+void write_png(const std::filesystem::path& path, int width, int height, const std::uint8_t* rgba) {
+    write_file(path, pack(path.string(), width, height, rgba));
+}
+
+std::string encode_png(int width, int height, const std::uint8_t* rgba) {
+    return pack("picture", width, height, rgba);
 }
 
 PngImage read_png(const std::filesystem::path& path) {

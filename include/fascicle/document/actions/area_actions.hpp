@@ -26,6 +26,13 @@ const AttachmentArea* find_area(const Scene& scene, const AreaKey& key);
 bool set_area(Document& document, const AreaKey& key, const SurfaceRegion& vertices,
               const std::string& what = "Set");
 
+/// Takes away all areas of a head, on every bone: one step "Remove head long, biceps". False when it has none.
+bool remove_head(Document& document, int muscle, const std::string& head);
+
+/// Lets the muscle's areas count: attachments given vertex by vertex, which come before them, are dropped. False when there are
+/// none.
+bool drop_fixed_attachments(Document& document, int muscle);
+
 /// The muscle's outlines become its areas, in place of those that it has. Returns how many; 0, and no step, when no outline lies on a bone. Notes and
 /// Error as areas_from_outlines; the document is then as it was.
 int areas_from_outlines(Document& document, int muscle, BoneSurfaces& surfaces,
@@ -45,6 +52,7 @@ struct StrokeOptions {
     Brush brush;
     std::vector<AreaKey> locked; ///< areas (of any muscle) whose vertices a stroke does not change
     std::optional<StrokeMirror> mirror;
+    std::string what = {}; ///< the verb of the step's name; empty: that of the mode
 };
 
 /// From press to release of the pointer: steps change the scratch alone, finish() makes one undo step named "Paint insertion,
@@ -60,6 +68,9 @@ public:
     /// The pointer is over this point of the bone now (triangle == -1: over none, the next step begins anew). Returns the
     /// vertices of the bone that changed in the stroke's own area, ascending: what a label buffer must update.
     const std::vector<int>& step(const SurfacePoint& at);
+    /// A step whose vertices another tool has found (a fill, a lasso, a circle on the screen): of the bone, and for the mirrored
+    /// area of its own bone (passed over without a mirror). Ascending. Returns as step() does.
+    const std::vector<int>& touch(const std::vector<int>& vertices, const std::vector<int>& mirrored = {});
     /// The same for the mirrored area, of the last step; none without a mirror.
     const std::vector<int>& mirrored_changes() const {
         return targets_.back().key == targets_.front().key ? none_ : targets_.back().changed;
@@ -76,7 +87,9 @@ private:
         Brush brush;
         std::vector<int> changed;
     };
-    void apply(Target& target, const SurfacePoint& at);
+    std::vector<int> under_brush(Target& target, const SurfacePoint& at);
+    void apply(Target& target, std::vector<int> touched);
+    const std::vector<int>& joined_changes();
     bool locked(int vertex, int bone) const;
 
     Document& document_;

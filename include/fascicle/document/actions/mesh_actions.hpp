@@ -10,11 +10,20 @@ namespace fascicle::actions {
 
 enum class MeshRole { bone, muscle };
 
-/// Adds a mesh that was read from `path` and is named after it; coordinates are multiplied by `scale` > 0 (1000 for
-/// metres into millimetres). A bone that is `moving` turns with the timeline's joint. One undo step; returns the index.
-/// Error naming the file when the surface cannot be what it is to be; the document is then as it was.
-int add_mesh(Document& document, MeshRole role, const std::filesystem::path& path, const MeshFile& file,
-             double scale = 1, bool moving = false);
+/// A mesh on its way into the scene.
+struct NewMesh {
+    std::filesystem::path path; ///< of its file
+    std::string name;           ///< empty: the file's, without extension
+    MeshRole role = MeshRole::bone;
+    bool moving = false; ///< of a bone: turns with the timeline's joint
+    MeshPtr mesh;        ///< in scene units and axes; not null
+    std::string hash;    ///< of the file's bytes, when the mesh is what the file holds; else empty
+    MeshReport report;   ///< of the mesh: checking a large one takes too long for the thread of an interface
+};
+
+/// Adds all in one undo step, "Add bone femur" or "Add 3 meshes"; names that are taken get a number behind them. Error naming the file when a
+/// surface cannot be what it is to be; the document is then as it was. Nothing, and no step, for an empty list.
+void add_meshes(Document& document, const std::vector<NewMesh>& meshes);
 
 /// Unit of a mesh as its size suggests, for people: a box diagonal below 5 means metres, up to 5000 millimetres;
 /// larger or empty: nothing.

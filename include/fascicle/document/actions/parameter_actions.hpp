@@ -16,5 +16,8 @@ bool reset_parameter(Document& document, std::string_view key);
 bool reset_all_parameters(Document& document);
 /// Switches between xpbd and classic; values that were not edited follow the method's defaults.
 bool set_method(Document& document, const std::string& method);
+/// All values of another set at once, such as an earlier run's; those that are the method's defaults do not count as edited. `name`: of
+/// the step.
+bool use_parameters(Document& document, const ParamSet& wanted, std::string name);
 
 } // namespace fascicle::actions

@@ -1,4 +1,4 @@
-#include "app/cli/pictures.hpp"
+#include "output/run_pictures.hpp"
 
 #include "fascicle/base/assert.hpp"
 #include "fascicle/io/png.hpp"
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numbers>
 
-namespace fascicle::app {
+namespace fascicle::output {
 
 namespace {
 
@@ -73,6 +73,7 @@ Pictures::Pictures(const Recording& recording, const PictureOptions& options)
     : recording_(recording), options_(options) {
     FASCICLE_ASSERT(recording.frame_count() > 0);
     view_.colouring = options.colouring;
+    view_.occlusion = true;
     const int flexed = most_flexed_frame(recording);
     for (const int k : {0, flexed, recording.frame_count() - 1})
         box_.add(view::visible_bounds(view::subject_of(recording, k), view_));
@@ -108,7 +109,7 @@ void Pictures::choose_side(int flexed) {
 /// Pixels of a small square picture in which a muscle is seen: muscles are drawn red, bones blue.
 int Pictures::muscle_pixels(int frame, const view::Camera& camera, int size) {
     view::ViewOptions plain = view_;
-    plain.attachments = plain.joint_axis = false;
+    plain.attachments = plain.joint_axis = plain.occlusion = false;
     plain.colouring = view::Colouring::anatomy;
     render::DrawList list =
         view::build_draw_list(view::subject_of(recording_, frame), plain, camera.pose(1.0), cache_);
@@ -129,12 +130,18 @@ int Pictures::muscle_pixels(int frame, const view::Camera& camera, int size) {
     return pixels;
 }
 
-render::Image Pictures::draw(int frame, int width, int height) {
-    const double aspect = double(width) / height;
+view::Camera Pictures::camera(double aspect) const {
     view::Camera camera = camera_;
     camera.frame(box_, aspect);
-    const render::DrawList list =
-        view::build_draw_list(view::subject_of(recording_, frame), view_, camera.pose(aspect), cache_);
+    return camera;
+}
+
+render::Image Pictures::draw(int frame, int width, int height) {
+    const double aspect = double(width) / height;
+    render::DrawList list = view::build_draw_list(view::subject_of(recording_, frame), view_,
+                                                  camera(aspect).pose(aspect), cache_);
+    if (transparent_)
+        list.background_top[3] = list.background_bottom[3] = 0;
     return renderer_.draw(list, width, height);
 }
 
@@ -157,4 +164,4 @@ void write_run_pictures(const Recording& recording, const std::filesystem::path&
     write_picture(folder / "film_strip.png", render::film_strip(strip));
 }
 
-} // namespace fascicle::app
+} // namespace fascicle::output

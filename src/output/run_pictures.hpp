@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-namespace fascicle::app {
+namespace fascicle::output {
 
 struct PictureOptions {
     int width = 1280;
@@ -30,6 +30,11 @@ public:
 
     render::Image draw(int frame, int width, int height);
     render::Image draw(int frame) { return draw(frame, options_.width, options_.height); }
+    /// Pictures without a background from here on.
+    void set_transparent() { transparent_ = true; }
+    /// The camera of all pictures of a shape, width over height.
+    view::Camera camera(double aspect) const;
+    const view::ViewOptions& options() const { return view_; }
 
 private:
     void choose_side(int flexed);
@@ -42,6 +47,7 @@ private:
     view::PictureRenderer renderer_;
     BoundingBox box_; ///< of everything that the run shows: one frame around all pictures
     view::Camera camera_;
+    bool transparent_ = false;
 };
 
 /// rest.png, flexed.png, last.png and film_strip.png (seven frames from first to last) into a folder. Error naming the
@@ -50,4 +56,4 @@ void write_run_pictures(const Recording& recording, const std::filesystem::path&
 
 void write_picture(const std::filesystem::path& path, const render::Image& image);
 
-} // namespace fascicle::app
+} // namespace fascicle::output

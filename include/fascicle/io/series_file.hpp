@@ -1,0 +1,16 @@
+#pragma once
+// ParaView's file of a series of files over time (.pvd).
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fascicle {
+
+/// Time in seconds and file of each step, files relative to the .pvd file. The file is complete or not there; Error naming it when it
+/// cannot be written.
+void write_series_file(const std::filesystem::path& path,
+                       const std::vector<std::pair<double, std::string>>& series);
+
+} // namespace fascicle

@@ -1,0 +1,68 @@
+#include "fascicle/io/mesh_hints.hpp"
+
+#include "fascicle/base/param_table.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+
+namespace fascicle {
+
+namespace {
+
+constexpr std::size_t head_bytes = 4096;
+
+std::string lower_head(std::string_view bytes) {
+    std::string head(bytes.substr(0, head_bytes));
+    std::transform(head.begin(), head.end(), head.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return head;
+}
+
+/// The number of "1 unit = NUMBER mm", wherever blanks are.
+std::optional<double> unit_of(const std::string& head) {
+    constexpr std::string_view start = "1 unit";
+    const auto blanks = [&](std::size_t& at) {
+        while (at < head.size() && (head[at] == ' ' || head[at] == '\t'))
+            ++at;
+    };
+    for (std::size_t at = head.find(start); at != std::string::npos; at = head.find(start, at + 1)) {
+        std::size_t next = at + start.size();
+        blanks(next);
+        if (next >= head.size() || head[next] != '=')
+            continue;
+        blanks(++next);
+        const std::size_t end = head.find_first_not_of("0123456789.e+-", next);
+        double value = 0;
+        if (end == std::string::npos || !parse_number(head.substr(next, end - next), value) || !(value > 0))
+            continue;
+        std::size_t word = end;
+        blanks(word);
+        if (head.compare(word, 2, "mm") == 0)
+            return value;
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+MeshHints find_mesh_hints(std::string_view bytes) {
+    const std::string head = lower_head(bytes);
+    MeshHints hints;
+    if (head.find("space=ras") != std::string::npos)
+        hints.space = MeshSpace::ras;
+    else if (head.find("space=lps") != std::string::npos)
+        hints.space = MeshSpace::lps;
+    hints.millimetres = unit_of(head);
+    return hints;
+}
+
+MeshHints read_mesh_hints(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::string head(head_bytes, '\0');
+    file.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, file.gcount())));
+    return find_mesh_hints(head);
+}
+
+} // namespace fascicle
