@@ -1,5 +1,7 @@
 #include "editor/commands.hpp"
 
+#include "editor/control_guard.hpp"
+
 namespace fascicle::editor {
 
 namespace {
@@ -59,7 +61,12 @@ CommandState needs_selection(const EditorContext& context) {
 
 CommandState command_state(const EditorContext& context, Command command) {
     const KeyBinding& row = binding(command);
-    return row.state == nullptr ? CommandState{} : row.state(context);
+    CommandState state = row.state == nullptr ? CommandState{} : row.state(context);
+    if (std::string reason = lock_reason(std::string("command/") + row.label); !reason.empty()) {
+        state.enabled = false;
+        state.reason = std::move(reason);
+    }
+    return state;
 }
 
 void run_command(EditorContext& context, Command command) {

@@ -37,7 +37,7 @@ Editor::Editor(render::ImguiHost& host, Document document, StartRun start, const
 }
 
 Editor::~Editor() {
-    features_->autosave.close(state_.wants_quit || !document_.dirty());
+    features_->autosave.close(state_.wants_quit || !user_document(context()).dirty());
 }
 
 void Editor::use_gl() {
@@ -179,12 +179,16 @@ void Editor::take_opened_scene() {
         return;
     for (const std::string& note : opened->notes)
         log_.add(Severity::note, note);
-    replace_document(Document(opened->scene, opened->path));
+    const bool back = opened->document != nullptr; // what was set aside, with its undo history
+    replace_document(back ? std::move(*opened->document) : Document(opened->scene, opened->path));
     if (opened->unsaved)
         document_.mark_unsaved();
     state_.show_start = opened->start_page;
     EditorContext c = context();
-    features_->project.opened(c, *opened);
+    if (back)
+        features_->project.returned(c);
+    else
+        features_->project.opened(c, *opened);
     if (!opened->recovered_from.empty())
         features_->autosave.restored(opened->recovered_from);
 }
@@ -255,7 +259,7 @@ void Editor::draw_frame(float width, float height, double seconds) {
         {Place::tree, &layout_.tree},         {Place::inspector, &layout_.inspector},
         {Place::viewport, &layout_.viewport}, {Place::parameters, &layout_.parameters},
         {Place::timeline, &layout_.timeline}, {Place::bottom, &layout_.bottom},
-        {Place::status, &layout_.status}};
+        {Place::status, &layout_.status},     {Place::lesson, &layout_.lesson}};
     for (const auto& [place, area] : places)
         if (area->width() >= 1 && area->height() >= 1 && (!state_.show_start || place == Place::menu))
             draw_place(c, place, *area);

@@ -3,9 +3,11 @@
 
 #include "editor/compare.hpp"
 #include "editor/exporter.hpp"
+#include "editor/fibres/fibre_preview.hpp"
 #include "editor/file_loader.hpp"
 #include "editor/motion_edit.hpp"
 #include "editor/paint/paint_tool.hpp"
+#include "editor/presets/preset_store.hpp"
 #include "editor/project/autosave_keeper.hpp"
 #include "editor/project/project_keeper.hpp"
 #include "editor/project/source_watch.hpp"
@@ -13,6 +15,7 @@
 #include "editor/scene_opener.hpp"
 #include "editor/settings.hpp"
 #include "editor/start/start_page.hpp"
+#include "editor/teach/lesson_player.hpp"
 #include "editor/viewport/fibre_hover.hpp"
 
 namespace fascicle::editor {
@@ -24,6 +27,9 @@ struct Features {
     AutosaveKeeper autosave;
     SourceWatch watch;
     StartPage start;
+    FibrePreview fibres;
+    PresetStore presets;
+    LessonPlayer lessons;
     PaintMode paint;
     PaintTool paint_tool{paint};
     RunShelf shelf;
@@ -34,8 +40,8 @@ struct Features {
     MotionEdit motion;
 
     std::vector<Feature*> all() {
-        return {&settings, &opener,  &project,  &autosave,    &watch,  &start, &paint,
-                &shelf,    &compare, &exporter, &fibre_hover, &loader, &motion};
+        return {&settings, &opener,   &project,     &autosave, &watch,  &start,  &paint,   &shelf,
+                &compare,  &exporter, &fibre_hover, &loader,   &motion, &fibres, &presets, &lessons};
     }
 };
 

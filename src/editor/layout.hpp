@@ -21,11 +21,14 @@ struct LayoutSizes {
     float bottom = 222;
     float tree_share = 0.56f; ///< of the left column, for the scene tree
     bool show_left = true, show_right = true, show_bottom = true;
+    float lesson = 300;
+    bool show_lesson =
+        false; ///< a column of its own at the left, in place of scene and selection where it is narrow
 };
 
 /// Places in pixels. Empty where there is no room: side columns and plots give way before the view does.
 struct Layout {
-    Rect menu, toolbar, tree, inspector, viewport, parameters, timeline, bottom, status;
+    Rect menu, toolbar, tree, inspector, viewport, parameters, timeline, bottom, status, lesson;
     float gap = 1; ///< the borders' width
 };
 

@@ -17,7 +17,7 @@ public:
 };
 
 /// Where a panel sits. Panels of one place share it as tabs.
-enum class Place { menu, toolbar, tree, inspector, viewport, parameters, timeline, bottom, status };
+enum class Place { menu, toolbar, tree, inspector, viewport, parameters, timeline, bottom, status, lesson };
 
 struct PanelRow {
     const char* id;

@@ -80,9 +80,12 @@ void SceneOpener::read_project(MissingFiles request) {
             return result;
         const int threads = std::max(1, hardware_threads() - 1);
         Project project = read_project_file(request.project, threads, control, request.located);
-        result.opened = {std::move(project.scene), request.recovered ? request.user_path : request.project,
-                         std::move(project.notes), std::move(project.text),
-                         project.carry_meshes,     request.recovered || !request.located.empty()};
+        result.opened.scene = std::move(project.scene);
+        result.opened.path = request.recovered ? request.user_path : request.project;
+        result.opened.notes = std::move(project.notes);
+        result.opened.project_text = std::move(project.text);
+        result.opened.carry_meshes = project.carry_meshes;
+        result.opened.unsaved = request.recovered || !request.located.empty();
         if (request.recovered)
             result.opened.recovered_from = request.project.parent_path();
         return result;

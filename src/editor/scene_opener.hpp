@@ -13,8 +13,10 @@ namespace fascicle::editor {
 /// A document that takes the place of the present one.
 struct OpenedScene {
     Scene scene;
-    std::filesystem::path path;             ///< the project's file; empty when it is none
-    std::vector<std::string> notes;         ///< for the log
+    std::filesystem::path path;     ///< the project's file; empty when it is none
+    std::vector<std::string> notes; ///< for the log
+    /// When not null, this, with its undo history, instead of scene and path.
+    std::shared_ptr<Document> document{};
     std::string project_text{};             ///< of the file, for the fields that this version does not know
     bool carry_meshes = false;              ///< the project was saved with its meshes inside
     bool unsaved = false;                   ///< it is in no file as it is here

@@ -42,6 +42,11 @@ view::ViewSubject view_subject(const EditorContext& context) {
     view::ViewSubject subject = shown.frame != nullptr
                                     ? view::subject_of(*shown.recording, shown.frame->index)
                                     : view::subject_of(context.document.head());
+    // Until the run has its own, or while its are of other parameters: those made beside it.
+    if (shown.frame == nullptr || shown.state == FrameState::stale)
+        if (std::vector<FibreModelPtr> fibres = context.features.fibres.fibres_for(*subject.scene);
+            !fibres.empty())
+            subject.fibres = std::move(fibres);
     // Areas are those of the document, also while they are being painted, whatever the run was made with.
     PaintMode& paint = context.features.paint;
     subject.areas = paint.shown_areas(context);
@@ -88,8 +93,8 @@ bool SceneView::same(const Key& a, const Key& b) {
     return a.scene == b.scene && a.frame == b.frame && a.attachment_count == b.attachment_count &&
            a.camera.view == b.camera.view && a.camera.projection == b.camera.projection &&
            a.compared == b.compared && a.areas == b.areas && a.highlights == b.highlights &&
-           a.marked == b.marked && a.options == b.options && a.dark == b.dark && a.width == b.width &&
-           a.height == b.height && a.scale == b.scale;
+           a.marked == b.marked && a.options == b.options && a.fibres == b.fibres && a.dark == b.dark &&
+           a.width == b.width && a.height == b.height && a.scale == b.scale;
 }
 
 render::DrawList SceneView::build(const EditorContext& context, const view::ViewSubject& subject,
@@ -123,7 +128,8 @@ unsigned SceneView::texture(const EditorContext& context, const view::ViewSubjec
                   state.dark,
                   width,
                   height,
-                  state.scale};
+                  state.scale,
+                  subject.fibres};
     const bool arrived = cache_.rest_fields().collect();
     const bool unchanged = has_picture_ && !arrived && same(key, key_);
     if (!unchanged)

@@ -51,6 +51,7 @@ private:
         bool dark = false;
         int width = 0, height = 0;
         float scale = 1;
+        std::vector<FibreModelPtr> fibres{};
     };
     static bool same(const Key& a, const Key& b);
     render::Image image_of(const EditorContext& context, const view::ViewSubject& subject, int width,

@@ -30,4 +30,7 @@ struct OverlayRow {
 };
 const std::vector<OverlayRow>& viewport_overlays();
 
+/// The true area of a lesson's quiz, as a line, once it was scored (viewport/quiz_overlay.cpp).
+void draw_quiz_truth(EditorContext& context, ImDrawList& list, const Rect& area);
+
 } // namespace fascicle::editor

@@ -1,3 +1,4 @@
+#include "fascicle/document/actions/fibre_actions.hpp"
 #include "fascicle/document/actions/mesh_actions.hpp"
 #include "fascicle/document/actions/parameter_actions.hpp"
 #include "fascicle/document/actions/scene_actions.hpp"
@@ -163,4 +164,39 @@ TEST_CASE("The unit of a mesh is guessed from its size", "[document][actions]") 
         p *= 300;
     CHECK_FALSE(actions::guess_unit(large));
     CHECK_FALSE(actions::guess_unit(TriMesh{}));
+}
+
+TEST_CASE("A fibre template is chosen in one step, and takes a file's template away", "[document][fibres]") {
+    Document document = three_bones();
+    CHECK(actions::choose_fibre_template(document, "fanned"));
+    CHECK(steps(document) == 2);
+    CHECK(document.scene().parameters.get_choice("fibres.method") == "kukacka");
+    CHECK(document.scene().parameters.get_choice("fibres.template") == "fanned");
+    REQUIRE(document.scene().fibre_templates != nullptr);
+    CHECK_FALSE(actions::choose_fibre_template(document, "fanned"));
+    CHECK_THROWS_AS(actions::choose_fibre_template(document, "spiral"), Error);
+    CHECK(steps(document) == 2);
+
+    auto own = std::make_shared<const FibreTemplate>(parallel_template());
+    CHECK(actions::use_fibre_template(document, own, {"mine.json", {}}));
+    CHECK(document.scene().muscles[0].fibre_template == own);
+    CHECK(document.scene().muscles[0].fibre_template_source.path == "mine.json");
+    CHECK_FALSE(actions::use_fibre_template(document, own, {"mine.json", {}}));
+    CHECK(actions::choose_fibre_template(document, "fanned"));
+    CHECK(document.scene().muscles[0].fibre_template == nullptr);
+    document.undo();
+    CHECK(document.scene().muscles[0].fibre_template == own);
+}
+
+TEST_CASE("A whole set of parameters is one step, and none when nothing changes", "[document][parameters]") {
+    Document document = three_bones();
+    ParamSet parameters = document.scene().parameters;
+    CHECK_FALSE(actions::set_parameters(document, parameters, "Nothing"));
+    parameters.set("solver.stiffness", 0.5);
+    parameters.set("solver.bending", 0.6);
+    CHECK(actions::set_parameters(document, parameters, "Preset Mine"));
+    CHECK(steps(document) == 2);
+    CHECK(document.history().undo_name() == "Preset Mine");
+    document.undo();
+    CHECK(document.scene().parameters == default_parameters());
 }

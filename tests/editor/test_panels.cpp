@@ -93,5 +93,5 @@ TEST_CASE("Panel ids and places are complete", "[editor][panels]") {
         places.insert(row.place);
         CHECK(row.make() != nullptr);
     }
-    CHECK(places.size() == 9);
+    CHECK(places.size() == 10);
 }

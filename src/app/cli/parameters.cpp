@@ -2,6 +2,8 @@
 
 #include "fascicle/solver/parameters.hpp"
 #include "app/cli/command.hpp"
+#include "fascicle/io/preset_file.hpp"
+#include "fascicle/io/user_folder.hpp"
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -83,13 +85,32 @@ void print_markdown(std::ostream& out) {
     }
 }
 
+void print_presets(std::ostream& out) {
+    std::vector<std::string> problems;
+    std::vector<Preset> presets = built_in_presets();
+    for (Preset& own : own_presets(presets_folder(user_folder()), problems))
+        presets.push_back(std::move(own));
+    for (const Preset& preset : presets) {
+        out << preset.key << ": " << (preset.meaning.empty() ? preset.label : preset.meaning) << '\n';
+        for (const auto& [key, text] : preset.values)
+            out << "  " << key << '=' << text << '\n';
+    }
+    for (const std::string& problem : problems)
+        std::cerr << "warning: " << problem << '\n';
+}
+
 } // namespace
 
 std::function<int()> add_parameters(CLI::App& app) {
     const auto markdown = std::make_shared<bool>(false);
     app.add_flag("--markdown", *markdown, "Print docs/parameters.md instead of a plain table");
-    return [markdown] {
-        *markdown ? print_markdown(std::cout) : print_plain(std::cout);
+    const auto presets = std::make_shared<bool>(false);
+    app.add_flag("--presets", *presets, "List the presets with their values instead");
+    return [markdown, presets] {
+        if (*presets)
+            print_presets(std::cout);
+        else
+            *markdown ? print_markdown(std::cout) : print_plain(std::cout);
         return 0;
     };
 }

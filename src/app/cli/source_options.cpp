@@ -3,6 +3,8 @@
 #include "app/cli/options.hpp"
 #include "fascicle/base/error.hpp"
 #include "fascicle/base/parallel.hpp"
+#include "fascicle/io/preset_file.hpp"
+#include "fascicle/io/user_folder.hpp"
 #include "fascicle/solver/soft_body_solver.hpp"
 
 namespace fascicle::app {
@@ -72,6 +74,9 @@ void add_solve_options(CLI::App& app, SolveOptions& options) {
     for (const SolverMethod& method : solver_methods())
         methods.push_back(method.name);
     const int most_iterations = static_cast<int>(parameter_table().find("solver.iterations")->maximum);
+    add_text(
+        app, "--preset", options.preset, "NAME|FILE",
+        "Named parameter values, see 'fascicle parameters --presets'; options below change them further");
     add_choice(app, "--method", options.method, methods, "How muscles are solved (default: xpbd)");
     add_whole(app, "--iterations", options.iterations, 1, most_iterations, "N",
               "Solver passes a frame: substeps (xpbd, 10) or inner loops (classic, 3)");
@@ -86,6 +91,8 @@ int thread_count(const SolveOptions& options) {
 }
 
 void apply(const SolveOptions& options, ParamSet& parameters) {
+    if (!options.preset.empty())
+        apply_preset(find_preset(options.preset, presets_folder(user_folder())), parameters);
     if (!options.method.empty())
         set_method(parameters, options.method);
     if (options.iterations > 0)

@@ -16,6 +16,7 @@ struct SourceOptions {
 void add_source_options(CLI::App& app, SourceOptions& options);
 
 struct SolveOptions {
+    std::string preset;            ///< name or file; empty: none
     std::string method;            ///< empty: the scene's own
     int iterations = 0;            ///< 0: the scene's own
     int threads = 0;               ///< 0: all of the machine

@@ -68,6 +68,10 @@ bool set_method(Document& document, const std::string& method) {
     return replace(document, std::move(changed), "Use method " + method);
 }
 
+bool set_parameters(Document& document, ParamSet parameters, std::string name) {
+    return replace(document, std::move(parameters), std::move(name));
+}
+
 bool use_parameters(Document& document, const ParamSet& wanted, std::string name) {
     ParamSet changed = document.scene().parameters;
     fascicle::set_method(changed, wanted.get_choice("solver.method")); // first: it decides the defaults

@@ -16,6 +16,7 @@ std::vector<KeyBinding> show_commands();
 std::vector<KeyBinding> paint_commands();
 std::vector<KeyBinding> display_commands();
 std::vector<KeyBinding> window_commands();
+std::vector<KeyBinding> lesson_commands();
 std::vector<KeyBinding> compare_commands();
 
 namespace keys {

@@ -7,6 +7,7 @@
 #include "editor/dialogs/locate_dialog.hpp"
 #include "editor/dialogs/mesh_dialog.hpp"
 #include "editor/dialogs/open_project_dialog.hpp"
+#include "editor/dialogs/pick_file_dialog.hpp"
 #include "editor/dialogs/picture_dialog.hpp"
 #include "editor/dialogs/progress_note.hpp"
 #include "editor/dialogs/recovery_dialog.hpp"
@@ -22,6 +23,7 @@ struct Dialogs {
     MeshDialog mesh;
     LoadDialog load;
     PictureDialog picture;
+    PickFileDialog pick;
     OpenProjectDialog open_project;
     SaveDialog save;
     UnsavedDialog unsaved;
@@ -33,8 +35,8 @@ struct Dialogs {
     ExportDialog exporting;
 
     std::vector<Dialog*> all() {
-        return {&search, &mesh,    &picture, &run,    &exporting, &load,    &open_project,
-                &save,   &unsaved, &locate,  &reload, &recovery,  &progress};
+        return {&search,       &mesh, &picture, &run,    &exporting, &load,     &pick,
+                &open_project, &save, &unsaved, &locate, &reload,    &recovery, &progress};
     }
 };
 

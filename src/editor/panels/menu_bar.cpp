@@ -1,5 +1,6 @@
 #include "editor/panels/panels.hpp"
 
+#include "editor/teach/lesson_menu.hpp"
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/paint.hpp"
 #include "editor/widgets/tool_button.hpp"
@@ -31,6 +32,7 @@ public:
              {C::toggle_compare, C::compare_side_by_side, C::compare_ghost, C::compare_blink,
               C::compare_difference},
              {C::blink_runs, C::swap_runs, C::load_run});
+        draw_lesson_menu(context);
         window_menu(context);
         draw_title(context, area);
         ImGui::EndMenuBar();

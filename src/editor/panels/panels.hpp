@@ -11,6 +11,8 @@ std::unique_ptr<Panel> make_scene_tree();
 std::unique_ptr<Panel> make_inspector();
 std::unique_ptr<Panel> make_viewport();
 std::unique_ptr<Panel> make_parameters();
+std::unique_ptr<Panel> make_fibres();
+std::unique_ptr<Panel> make_lesson();
 std::unique_ptr<Panel> make_paint_panel();
 std::unique_ptr<Panel> make_display();
 std::unique_ptr<Panel> make_motion();

@@ -1,5 +1,6 @@
 #include "editor/panels/panels.hpp"
 
+#include "editor/control_guard.hpp"
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/paint.hpp"
 #include "editor/widgets/tool_button.hpp"
@@ -73,15 +74,19 @@ private:
         std::string tip = "Colours of muscles (" + shortcut(C::next_colouring) + ")";
         for (const view::ColouringRow& row : view::colourings())
             tip.append("\n").append(row.label).append(": ").append(row.help);
-        if (ImGui::BeginCombo("##colouring", view::colouring_row(context.state.colouring).label,
-                              ImGuiComboFlags_HeightLarge)) {
-            for (const view::ColouringRow& row : view::colourings()) {
-                if (ImGui::Selectable(row.label, row.colouring == context.state.colouring))
-                    context.state.colouring = row.colouring;
-                item_tooltip(row.help);
-                record_item(std::string("toolbar/colouring/") + row.label);
+        {
+            const LockScope lock("toolbar/colouring");
+            tip = lock.tip(tip);
+            if (ImGui::BeginCombo("##colouring", view::colouring_row(context.state.colouring).label,
+                                  ImGuiComboFlags_HeightLarge)) {
+                for (const view::ColouringRow& row : view::colourings()) {
+                    if (ImGui::Selectable(row.label, row.colouring == context.state.colouring))
+                        context.state.colouring = row.colouring;
+                    item_tooltip(row.help);
+                    record_item(std::string("toolbar/colouring/") + row.label);
+                }
+                ImGui::EndCombo();
             }
-            ImGui::EndCombo();
         }
         ImGui::PopStyleVar();
         record_item("toolbar/colouring");

@@ -2,6 +2,7 @@
 
 #include "editor/dialogs/dialogs.hpp"
 #include "editor/features.hpp"
+#include "editor/project/project_flow.hpp"
 #include "editor/project/thumbnail.hpp"
 
 #include <algorithm>
@@ -39,13 +40,6 @@ void AutosaveKeeper::forget_copies() {
     has_copies_ = false;
 }
 
-void AutosaveKeeper::document_replaced(EditorContext&) {
-    finish();
-    forget_copies(); // the question has been asked: saved, or not wanted
-    safe_ = nullptr;
-    changed_at_.reset();
-}
-
 void AutosaveKeeper::ask_about_crashes(EditorContext& context) {
     asked_ = true;
     if (std::vector<AutosaveSession> left = crashed_sessions(context.user_folder); !left.empty())
@@ -59,8 +53,9 @@ void AutosaveKeeper::update(EditorContext& context) {
     if (!asked_)
         ask_about_crashes(context);
     poll(context);
-    const ScenePtr head = context.document.head();
-    if (!context.document.dirty()) {
+    const Document& work = user_document(context);
+    const ScenePtr head = work.head();
+    if (!work.dirty()) { // saved, or another one in its place
         safe_ = head;
         changed_at_.reset();
         if ((has_copies_ || !restored_.empty()) && !writing_.valid())
@@ -81,10 +76,10 @@ void AutosaveKeeper::update(EditorContext& context) {
 void AutosaveKeeper::start(EditorContext& context) {
     if (folder_ == nullptr)
         folder_ = std::make_unique<AutosaveFolder>(context.user_folder);
-    Autosave copy{context.document.head(),
-                  context.document.path(),
-                  {context.features.project.text(), context.features.project.carry_meshes()},
-                  take_thumbnail(context)};
+    const Document& work = user_document(context);
+    Autosave copy{work.head(), work.path(), context.features.project.user_saving(), std::nullopt};
+    if (&work == &context.document)
+        copy.picture = take_thumbnail(context);
     safe_ = copy.scene;
     changed_at_.reset();
     has_copies_ = true;

@@ -23,7 +23,6 @@ public:
     const AutosaveFolder* folder() const { return folder_.get(); }
 
     void update(EditorContext& context) override;
-    void document_replaced(EditorContext& context) override;
     std::optional<double> redraw_after() const override;
 
 private:

@@ -8,7 +8,20 @@ namespace fascicle::editor {
 
 namespace fs = std::filesystem;
 
+const Document& user_document(const EditorContext& context) {
+    const Document* aside = context.features.lessons.set_aside();
+    return aside != nullptr ? *aside : context.document;
+}
+
 void unless_unsaved(EditorContext& context, const std::string& doing, Then then) {
+    if (context.features.lessons.set_aside() != nullptr) {
+        if (!user_document(context).dirty())
+            return then(context);
+        context.features.lessons.leave();
+        context.log.add(Severity::warning, user_document(context).scene().name +
+                                               " is back, with unsaved changes: save them before " + doing);
+        return;
+    }
     if (context.document.dirty())
         context.dialogs.unsaved.ask(doing, std::move(then));
     else

@@ -9,7 +9,11 @@ namespace fascicle::editor {
 
 using Then = std::function<void(EditorContext&)>;
 
-/// Does it at once when nothing would be lost; else asks: save first, discard, or leave all as it is.
+/// The user's own document: what a lesson has set aside, else the one that is open.
+const Document& user_document(const EditorContext& context);
+
+/// Does it at once when nothing would be lost; else asks: save first, discard, or leave all as it is. In a lesson
+/// nothing of the lesson is asked for; when what was set aside has unsaved changes, the lesson is left instead, so that it is seen.
 void unless_unsaved(EditorContext& context, const std::string& doing, Then then);
 
 /// Into the project's file; asks for a name when it has none. `then`: once it is on the disk.

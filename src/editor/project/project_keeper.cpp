@@ -51,6 +51,8 @@ void ProjectKeeper::set_text(std::string text, bool carry_meshes) {
 
 void ProjectKeeper::opened(EditorContext& context, const OpenedScene& scene) {
     set_text(scene.project_text, scene.carry_meshes);
+    if (context.features.lessons.set_aside() == nullptr)
+        aside_.reset();
     context.features.watch.project_is(scene.path, scene.project_text);
     picture_due_.reset();
     if (scene.path.empty() || context.user_folder.empty())
@@ -62,8 +64,20 @@ void ProjectKeeper::opened(EditorContext& context, const OpenedScene& scene) {
         picture_due_ = context.now + 1; // when the camera has found its place
 }
 
-void ProjectKeeper::document_replaced(EditorContext&) {
+void ProjectKeeper::returned(EditorContext& context) {
+    if (aside_)
+        set_text(aside_->previous_text, aside_->carry_meshes);
+    aside_.reset();
+    context.features.watch.project_is(context.document.path(), text_);
+}
+
+void ProjectKeeper::document_replaced(EditorContext& context) {
     ++generation_;
+    const bool lesson = context.features.lessons.set_aside() != nullptr;
+    if (lesson && !aside_)
+        aside_ = ProjectSaving{text_, carry_meshes_};
+    if (!lesson)
+        aside_.reset();
     set_text({}, false);
     picture_due_.reset();
 }

@@ -4,6 +4,7 @@
 #include "editor/feature.hpp"
 #include "editor/project/project_flow.hpp"
 #include "fascicle/io/png.hpp"
+#include "fascicle/io/project_file.hpp"
 
 #include <future>
 
@@ -21,6 +22,10 @@ public:
     const std::string& text() const { return text_; }
     void set_text(std::string text, bool carry_meshes);
     bool carry_meshes() const { return carry_meshes_; }
+    /// Of the user's own document, also while a lesson is in front.
+    ProjectSaving user_saving() const { return aside_ ? *aside_ : ProjectSaving{text_, carry_meshes_}; }
+    /// What a lesson had set aside is the document again.
+    void returned(EditorContext& context);
 
     /// Writes the last committed scene on a thread. When that fails, the save dialog says why and asks for another name; the
     /// document stays as it was, unsaved. A save under way is waited for first.
@@ -38,6 +43,7 @@ private:
     void done(EditorContext& context, Job& job);
     std::string text_;
     bool carry_meshes_ = false;
+    std::optional<ProjectSaving> aside_; ///< while a lesson is in front
     std::unique_ptr<Job> job_;
     std::uint64_t generation_ = 0;      ///< of the document
     std::future<void> listing_;         ///< writes the list of recent projects

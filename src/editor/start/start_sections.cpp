@@ -1,7 +1,9 @@
 #include "editor/start/start_sections.hpp"
 
 #include "editor/dialogs/recovery_dialog.hpp"
+#include "editor/features.hpp"
 #include "editor/project/project_flow.hpp"
+#include "fascicle/io/lesson_file.hpp"
 #include "fascicle/io/recent_projects.hpp"
 #include "fascicle/scene/embedded_scenes.hpp"
 
@@ -51,12 +53,28 @@ std::vector<StartCard> embedded_cards(EditorContext&) {
     return cards;
 }
 
+std::vector<StartCard> lesson_cards(EditorContext&) {
+    std::vector<StartCard> cards;
+    for (const Lesson& lesson : built_in_lessons()) {
+        StartCard card;
+        card.id = "lesson/" + lesson.id;
+        card.title = lesson.title;
+        card.line = lesson.sentence;
+        card.tip = lesson.sentence + "\n" + std::to_string(lesson.minutes) + " minutes";
+        card.embedded = lesson.scene;
+        card.open = [id = lesson.id](EditorContext& c) { c.features.lessons.start(id); };
+        cards.push_back(std::move(card));
+    }
+    return cards;
+}
+
 } // namespace
 
 const std::vector<StartSection>& start_sections() {
     static const std::vector<StartSection> sections{
         {"Recent projects", "Projects that you save or open will be here.", recent_cards},
         {"Scenes to begin with", nullptr, embedded_cards},
+        {"Lessons", nullptr, lesson_cards},
     };
     return sections;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What the start page offers: sections of cards. A new section (lessons) is a function and a row of start_sections().
+// What the start page offers: sections of cards. A new section is a function and a row of start_sections().
 
 #include "editor/editor_context.hpp"
 

@@ -144,6 +144,7 @@ const std::vector<OverlayRow>& viewport_overlays() {
         {"empty", draw_empty},
         {"compare", draw_compare_overlay},
         {"recording", draw_recording_badge},
+        {"quiz", draw_quiz_truth},
     };
     return rows;
 }

@@ -41,6 +41,9 @@ inline constexpr Icon folder{"\xEF\x81\xBB", ""};        // U+F07B
 inline constexpr Icon up{"\xEF\x81\xA2", "^"};           // U+F062
 inline constexpr Icon trash{"\xEF\x80\x94", "Remove"};   // U+F014
 inline constexpr Icon link{"\xEF\x83\x81", "fixed"};     // U+F0C1
+inline constexpr Icon filter{"\xEF\x82\xB0", "changed"}; // U+F0B0
+inline constexpr Icon circle{"\xEF\x84\x8C", "o"};       // U+F10C
+inline constexpr Icon fibres{"\xEF\x83\x89", "Fibres"};  // U+F0C9
 inline constexpr Icon pin{"\xEF\x82\x8D", "pin"};        // U+F08D
 inline constexpr Icon sliders{"\xEF\x87\x9E", "use"};    // U+F1DE
 inline constexpr Icon exchange{"\xEF\x83\xAC", "swap"};  // U+F0EC

@@ -1,5 +1,7 @@
 #include "editor/widgets/item_recorder.hpp"
 
+#include "editor/control_guard.hpp"
+
 namespace fascicle::editor {
 
 namespace {
@@ -20,11 +22,14 @@ ItemRecorder* item_recorder() {
 }
 
 void record_item(std::string_view name) {
+    if (control_guard() != nullptr)
+        draw_highlight(name, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
     if (active != nullptr)
         active->add(name, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
 }
 
 void record_item(std::string_view name, const Rect& rect) {
+    draw_highlight(name, rect);
     if (active != nullptr)
         active->add(name, rect);
 }

@@ -1,5 +1,6 @@
 #include "editor/widgets/param_row.hpp"
 
+#include "editor/control_guard.hpp"
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/paint.hpp"
 #include "editor/widgets/tool_button.hpp"
@@ -168,7 +169,9 @@ void draw_choice(EditorContext& context, const ParamRow& row) {
 } // namespace
 
 void draw_param_row(EditorContext& context, const ParamRow& row, float label_width,
-                    const std::string& disabled_reason) {
+                    const std::string& no_effect) {
+    const std::string locked = lock_reason("parameter/" + row.key);
+    const std::string& disabled_reason = locked.empty() ? no_effect : locked;
     const Theme& theme = context.theme;
     const float height = ImGui::GetFrameHeight(), width = ImGui::GetContentRegionAvail().x;
     const bool edited = context.document.scene().parameters.edited(row.key);
@@ -196,7 +199,7 @@ void draw_param_row(EditorContext& context, const ParamRow& row, float label_wid
     ImGui::SameLine(0, context.px(2));
     const std::string name = "parameter/" + row.key + "/reset";
     const double standard = context.document.scene().parameters.default_value(row.key);
-    if (!edited)
+    if (!edited || !locked.empty())
         ImGui::Dummy({reset, height});
     else if (icon_button(context, name.c_str(), icons::reset, false, true,
                          std::string("Back to the default, ").append(shown_value(context, row, standard)),

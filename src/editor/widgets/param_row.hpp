@@ -5,8 +5,8 @@
 
 namespace fascicle::editor {
 
-/// disabled_reason: empty when the row has an effect. Writes through document/actions/: a drag is one undo step.
+/// no_effect: why the row changes nothing now, empty when it has an effect. Writes through document/actions/: a drag is one undo step.
 void draw_param_row(EditorContext& context, const ParamRow& row, float label_width,
-                    const std::string& disabled_reason);
+                    const std::string& no_effect);
 
 } // namespace fascicle::editor

@@ -1,5 +1,7 @@
 #include "editor/widgets/tool_button.hpp"
 
+#include "editor/control_guard.hpp"
+
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/paint.hpp"
 
@@ -24,6 +26,8 @@ void item_tooltip(const std::string& text) {
 
 bool icon_button(const EditorContext& context, const char* name, const Icon& icon, bool on, bool enabled,
                  const std::string& tip, float size) {
+    const std::string locked = lock_reason(name);
+    enabled = enabled && locked.empty();
     const Theme& theme = context.theme;
     const float side = context.px(size);
     const float width = icons_available() ? side : text_size(icon.words).x + context.px(12);
@@ -46,7 +50,7 @@ bool icon_button(const EditorContext& context, const char* name, const Icon& ico
     draw_text_in(list, {{rect.min.x - 4, rect.min.y}, {rect.max.x + 4, rect.max.y}},
                  hovered ? theme.text : colour, text(icon), Align::centre);
     ImGui::EndDisabled();
-    item_tooltip(tip);
+    item_tooltip(locked.empty() ? tip : tip + "\nNot now: " + locked + ".");
     ImGui::PopID();
     return clicked && enabled;
 }

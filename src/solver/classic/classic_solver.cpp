@@ -90,6 +90,7 @@ ClassicSolver::ClassicSolver(const SoftBodyProblem& problem, Switches switches)
                         problem.parameters.get("solver.stiffness"), meant_);
     for (DirectedEdge& edge : edges_)
         edge.factor = per_substep(edge.factor, substeps_, meant_);
+    switches_.volume = switches_.volume && problem.parameters.get_choice("solver.volume") == "kept";
     pairs_ = bending_pairs(*problem.surface, topology);
 }
 

@@ -87,7 +87,7 @@ void CoarseCorrection::correct(Points& x, const ElasticTerms& terms, VolumeConst
     matrix_.solve(q_);
     matrix_.solve(qg_);
     const double gain = dot(g_, qg_);
-    const double more = gain > 0.0 ? (-volume_error - dot(g_, q_)) / gain : 0.0;
+    const double more = gain > 0.0 && volume.kept() ? (-volume_error - dot(g_, q_)) / gain : 0.0;
     for (std::size_t i = 0; i < q_.size(); ++i)
         q_[i] += static_cast<float>(more) * qg_[i];
     basis.prolong(x, q_, u_);

@@ -7,8 +7,8 @@
 
 namespace fascicle::solver {
 
-VolumeConstraint::VolumeConstraint(const Points& rest, std::vector<Tri> triangles, double pressure)
-    : triangles_(std::move(triangles)), gradient_(rest.size(), Vec3::Zero()) {
+VolumeConstraint::VolumeConstraint(const Points& rest, std::vector<Tri> triangles, double pressure, bool kept)
+    : triangles_(std::move(triangles)), gradient_(rest.size(), Vec3::Zero()), kept_(kept) {
     rest_volume_ = evaluate(rest);
     wanted_ = pressure * rest_volume_;
 }
@@ -19,6 +19,8 @@ double VolumeConstraint::evaluate(const Points& x) {
 }
 
 void VolumeConstraint::project(Points& x, const std::vector<double>& inverse_mass, const Points& blocked) {
+    if (!kept_)
+        return;
     const double limit = max_step * std::abs(rest_volume_);
     const double error = std::clamp(evaluate(x) - wanted_, -limit, limit);
     if (!blocked.empty())

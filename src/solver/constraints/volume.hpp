@@ -10,9 +10,10 @@ namespace fascicle::solver {
 
 class VolumeConstraint {
 public:
-    /// rest: V points of the closed surface; pressure p (1 preserves).
-    VolumeConstraint(const Points& rest, std::vector<Tri> triangles, double pressure);
+    /// rest: V points of the closed surface; pressure p (1 preserves). kept: false lets any volume be: project() does nothing.
+    VolumeConstraint(const Points& rest, std::vector<Tri> triangles, double pressure, bool kept = true);
 
+    bool kept() const { return kept_; }
     double rest_volume() const { return rest_volume_; }
     double wanted_volume() const { return wanted_; }
     /// Signed volume of x, scene units cubed; fills gradient() as a side product.
@@ -33,6 +34,7 @@ private:
     Points gradient_;
     double rest_volume_ = 0;
     double wanted_ = 0;
+    bool kept_ = true;
 };
 
 } // namespace fascicle::solver

@@ -171,7 +171,7 @@ void FastCoarse::prepare(const VertexArrays& v, bool with_frames) {
                 static_cast<float>(matrix_.basis().centre(static_cast<int>(m))[static_cast<Eigen::Index>(k)]);
 }
 
-void FastCoarse::solve(double volume_error, bool with_frames) {
+void FastCoarse::solve(std::optional<double> volume_error, bool with_frames) {
     const ClusterBasis& basis = matrix_.basis();
     if (renew_) {
         matrix_.finish();
@@ -208,7 +208,7 @@ void FastCoarse::solve(double volume_error, bool with_frames) {
         matrix_.solve(qg_);
         gain = gain_ = dot(g_, qg_);
     }
-    more_ = gain > 0.0 ? (-volume_error - dot(g_, q_)) / gain : 0.0;
+    more_ = gain > 0.0 && volume_error ? (-*volume_error - dot(g_, q_)) / gain : 0.0;
     for (std::size_t i = 0; i < q_.size(); ++i)
         q_[i] += static_cast<float>(more_) * qg_[i];
     slope_ = dot(r_, q_) + more_ * dot(g_, q_);

@@ -6,6 +6,8 @@
 #include "solver/fast/plan.hpp"
 #include "solver/fast/row.hpp"
 
+#include <optional>
+
 namespace fascicle::solver::fast {
 
 class FastCoarse {
@@ -33,8 +35,9 @@ public:
     void add_part(std::size_t part) {
         matrix_.add_part(part, matrix_.basis().reference(), terms_, mass_, normals_);
     }
-    /// By one thread: the motion of the clusters. volume_error: V minus the wanted one; with_frames as in sum().
-    void solve(double volume_error, bool with_frames);
+    /// By one thread: the motion of the clusters. volume_error: V minus the wanted one, nothing: any volume will do;
+    /// with_frames as in sum().
+    void solve(std::optional<double> volume_error, bool with_frames);
     /// For every chunk, numbered: displacements.
     void spread(const VertexArrays& v, const GroupRange& range, std::size_t chunk);
     /// For every set, numbered with the interfaces behind the interiors: how stiff the body is along the displacement.

@@ -82,6 +82,7 @@ private:
     FastCoarse coarse_;
     int substeps_;
     double wanted_volume_ = 0, largest_volume_step_ = 0;
+    bool keeps_volume_ = true;
     StepSettings settings_{};
 
     FastVertices vertices_;
@@ -116,6 +117,7 @@ FastSolver::FastSolver(const SoftBodyProblem& problem, const MeshTopology& topol
     settings_.solids = static_cast<int>(problem_.solids.size());
     const double rest_volume = signed_volume(plan_.rest, problem_.surface->triangles);
     wanted_volume_ = p.get("solver.pressure") * rest_volume;
+    keeps_volume_ = p.get_choice("solver.volume") == "kept";
     largest_volume_step_ = VolumeConstraint::max_step * std::abs(rest_volume);
     volume_sums_.resize(plan_.chunks.size());
     contact_sums_.resize(plan_.chunks.size());
@@ -174,6 +176,8 @@ VolumeSums FastSolver::total_volume() const {
 }
 
 StepSettings FastSolver::settings_after_volume() const {
+    if (!keeps_volume_)
+        return settings_; // error and gain 0
     const VolumeSums total = total_volume();
     const double error =
         std::clamp(total.volume - wanted_volume_, -largest_volume_step_, largest_volume_step_);
@@ -214,7 +218,8 @@ void FastSolver::correct(int thread, int threads, bool with_frames, const Chunks
         meet();
     }
     if (thread == 0)
-        coarse_.solve(total_volume().volume - wanted_volume_, with_frames);
+        coarse_.solve(keeps_volume_ ? std::optional(total_volume().volume - wanted_volume_) : std::nullopt,
+                      with_frames);
     meet();
     for_chunks([&](std::size_t c, const GroupRange& range) { coarse_.spread(arrays(), range, c); });
     meet();

@@ -14,6 +14,8 @@ bool commit_parameter(Document& document, std::string_view key);
 bool set_parameter(Document& document, std::string_view key, double value);
 bool reset_parameter(Document& document, std::string_view key);
 bool reset_all_parameters(Document& document);
+/// The whole set at once, as one step with this name: a preset, a lesson's values.
+bool set_parameters(Document& document, ParamSet parameters, std::string name);
 /// Switches between xpbd and classic; values that were not edited follow the method's defaults.
 bool set_method(Document& document, const std::string& method);
 /// All values of another set at once, such as an earlier run's; those that are the method's defaults do not count as edited. `name`: of
