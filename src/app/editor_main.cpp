@@ -4,9 +4,13 @@
 #include "app/cli/source_options.hpp"
 #include "app/window.hpp"
 #include "editor/editor.hpp"
+#include "editor/features.hpp"
 #include "editor/measure.hpp"
+#include "editor/project/project_flow.hpp"
 #include "fascicle/base/build_info.hpp"
 #include "fascicle/base/error.hpp"
+#include "fascicle/io/files.hpp"
+#include "fascicle/io/project_file.hpp"
 #include "fascicle/io/user_folder.hpp"
 #include "render/gl_functions.hpp"
 #include "render/imgui_renderer.hpp"
@@ -28,6 +32,7 @@ struct EditorCommandLine {
     SolveOptions solve;
     double scale = 0; ///< 0: the monitor's
     int quit_after = 0;
+    bool start = false; ///< the start page first
     bool measure = false;
 };
 
@@ -37,7 +42,22 @@ double seconds_now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-LoadedScene load_scene_to_edit(EditorCommandLine& options) {
+/// "hip.fascicle * - fascicle".
+std::string title_of(const Document& document) {
+    const std::string name =
+        document.path().empty() ? document.scene().name : document.path().filename().string();
+    return name + (document.dirty() ? " *" : "") + " - fascicle";
+}
+
+/// What is opened at the start, and what happens once the window is there.
+struct Beginning {
+    LoadedScene loaded;
+    std::filesystem::path project; ///< where it came from
+    std::string project_text;
+    bool show_start = false, locate = false; ///< locate: the project's files are asked for
+};
+
+Beginning load_scene_to_edit(EditorCommandLine& options) {
     if (!options.file.empty()) {
         if (options.source.given)
             throw_error("fascicle-editor", "got the file '" + options.file + "' and a source",
@@ -45,20 +65,48 @@ LoadedScene load_scene_to_edit(EditorCommandLine& options) {
         options.source.request.project = options.file;
         options.source.given = true;
     }
+    Beginning begin;
+    begin.project = options.source.request.project;
     if (!options.source.given) {
-        options.source.request.embedded = "hip";
-        options.source.given = true;
+        begin.loaded.scene = editor::empty_scene();
+        begin.show_start = true;
+        return begin;
     }
-    return load(options.source, options.solve);
+    begin.locate = !begin.project.empty() && !missing_project_files(begin.project).empty();
+    if (begin.locate) {
+        begin.loaded.scene = editor::empty_scene();
+        begin.show_start = true;
+        return begin;
+    }
+    if (begin.project.empty()) {
+        begin.loaded = load(options.source, options.solve);
+    } else { // may be half done: without muscles it can be edited all the same
+        begin.loaded = load_scene(options.source.request);
+        apply(options.solve, begin.loaded.scene.parameters);
+    }
+    begin.show_start = options.start;
+    if (!begin.project.empty())
+        begin.project_text = read_file(begin.project);
+    return begin;
 }
 
 /// One picture after the other; sleeps while nothing changes.
 void run_window(Window& window, editor::Editor& program, render::ImguiRenderer& renderer, int quit_after) {
     bool full_screen = false;
     double last = seconds_now(), last_activity = last;
-    for (int frame = 0; !window.wants_close() && !program.state().wants_quit; ++frame) {
+    std::string title;
+    for (int frame = 0; !program.state().wants_quit; ++frame) {
         if (quit_after > 0 && frame >= quit_after)
             break;
+        const bool closing = window.wants_close();
+        if (closing) { // asks first when something would be lost
+            window.refuse_close();
+            program.run(editor::Command::quit);
+            if (program.state().wants_quit)
+                break;
+        }
+        if (std::string now = title_of(program.document()); now != title)
+            window.set_title(title = std::move(now));
         std::optional<double> next = quit_after > 0 ? 0 : program.next_redraw();
         if (ImGui::GetIO().WantTextInput)
             next = std::min(next.value_or(1), text_cursor_seconds);
@@ -67,7 +115,7 @@ void run_window(Window& window, editor::Editor& program, render::ImguiRenderer& 
             next = std::min(next.value_or(1), 1.0 / 30);
         const double pause = next ? last + *next - seconds_now() : asleep_seconds;
         const bool happened = pause > 0 ? window.wait(pause) : (window.poll(), false);
-        if (!happened && !next)
+        if (!happened && !next && !closing)
             continue;
         if (window.take_activity())
             last_activity = seconds_now();
@@ -95,19 +143,23 @@ void run_window(Window& window, editor::Editor& program, render::ImguiRenderer& 
 }
 
 int run_editor(EditorCommandLine& options) {
-    LoadedScene loaded = load_scene_to_edit(options);
-    const std::string name = loaded.scene.name;
-    Window window(1360, 860, name + " - fascicle");
+    Beginning begin = load_scene_to_edit(options);
+    Document document(std::move(begin.loaded.scene), begin.locate ? std::filesystem::path() : begin.project);
+    Window window(1360, 860, title_of(document));
     render::load_gl_functions(window.lookup());
     const double scale = options.scale > 0 ? options.scale : double(window.content_scale());
     render::ImguiHost host(static_cast<float>(scale));
     render::ImguiRenderer renderer;
-    editor::Editor program(host, Document(std::move(loaded.scene), options.file),
-                           editor::simulate_on_thread(options.solve.threads), {.user_folder = user_folder()});
-    for (const std::string& note : loaded.notes)
+    editor::Editor program(host, std::move(document), editor::simulate_on_thread(options.solve.threads),
+                           {.user_folder = user_folder()});
+    for (const std::string& note : begin.loaded.notes)
         program.log().add(editor::Severity::note, note);
     program.use_gl();
-    program.state().playback.playing = true; // the first run is watched as it comes
+    program.project_opened(begin.project_text);
+    if (begin.locate)
+        program.features().opener.open_project(begin.project);
+    program.state().show_start = begin.show_start;
+    program.state().playback.playing = !begin.show_start; // the first run is watched as it comes
     window.connect(program.input(),
                    [&](std::vector<std::filesystem::path> files) { program.drop_files(files); });
     run_window(window, program, renderer, options.quit_after);
@@ -120,9 +172,10 @@ int parse_and_run(int argc, char** argv) {
     EditorCommandLine options;
     app.set_version_flag("--version", std::string("fascicle-editor ") + program_version());
     app.add_option("FILE", options.file,
-                   "A project (.fascicle); instead of a source. Without any: the scene hip");
+                   "A project (.fascicle); instead of a source. Without any: the start page");
     add_source_options(app, options.source);
     add_solve_options(app, options.solve);
+    app.add_flag("--start", options.start, "Shows the start page first, whatever is opened");
     add_number(app, "--scale", options.scale, "S",
                "Size of text and controls, 0.75 to 3 (default: the monitor's)");
     add_whole(app, "--quit-after", options.quit_after, 1, 1000000000, "N",

@@ -162,6 +162,14 @@ bool Window::wants_close() const {
     return glfwWindowShouldClose(window_) == GLFW_TRUE;
 }
 
+void Window::refuse_close() {
+    glfwSetWindowShouldClose(window_, GLFW_FALSE);
+}
+
+void Window::set_title(const std::string& title) {
+    glfwSetWindowTitle(window_, title.c_str());
+}
+
 void Window::poll() {
     glfwPollEvents();
 }

@@ -32,6 +32,9 @@ public:
     /// Pixels; 0 x 0 while minimised.
     void framebuffer_size(int& width, int& height) const;
     bool wants_close() const;
+    /// The wish to close it was heard: it stays open until told otherwise.
+    void refuse_close();
+    void set_title(const std::string& title);
 
     /// Handles what happened, without waiting.
     void poll();

@@ -34,8 +34,12 @@ bool Document::jump(std::size_t step) {
 }
 
 void Document::mark_saved(std::filesystem::path path) {
+    mark_saved(std::move(path), history_.head());
+}
+
+void Document::mark_saved(std::filesystem::path path, ScenePtr saved) {
     path_ = std::move(path);
-    saved_ = history_.head();
+    saved_ = std::move(saved);
 }
 
 Scene& Document::edit() {

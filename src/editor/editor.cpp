@@ -7,6 +7,8 @@
 #include "editor/frame_axis.hpp"
 #include "editor/initial_view.hpp"
 #include "editor/playback.hpp"
+#include "editor/project/project_flow.hpp"
+#include "editor/widgets/icons.hpp"
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/paint.hpp"
 #include "editor/widgets/tab_strip.hpp"
@@ -34,10 +36,22 @@ Editor::Editor(render::ImguiHost& host, Document document, StartRun start, const
     apply_look();
 }
 
-Editor::~Editor() = default;
+Editor::~Editor() {
+    features_->autosave.close(state_.wants_quit || !user_document(context()).dirty());
+}
 
 void Editor::use_gl() {
     view_ = std::make_unique<SceneView>(still_);
+}
+
+void Editor::project_opened(const std::string& text) {
+    EditorContext c = context();
+    OpenedScene opened;
+    opened.scene.name = document_.scene().name;
+    opened.path = document_.path();
+    opened.project_text = text;
+    opened.carry_meshes = carries_meshes(text);
+    features_->project.opened(c, opened);
 }
 
 void Editor::show(RecordingPtr recording) {
@@ -45,7 +59,13 @@ void Editor::show(RecordingPtr recording) {
 }
 
 void Editor::drop_files(const std::vector<std::filesystem::path>& files) {
-    features_->loader.drop(files);
+    EditorContext c = context();
+    const bool project = std::any_of(files.begin(), files.end(),
+                                     [](const auto& file) { return file.extension() == ".fascicle"; });
+    if (state_.show_start && !project)
+        start_with_meshes(c, files);
+    else
+        features_->loader.drop(files);
 }
 
 EditorContext Editor::context() {
@@ -115,6 +135,10 @@ void Editor::handle_keys() {
         if (modal || ImGui::GetIO().WantTextInput)
             continue; // the keys belong to the text
         const KeyBinding* row = find_binding(press.chord, state_.tool == Tool::paint);
+        if (state_.show_start && row != nullptr && !acts_on_start_page(*row)) {
+            state_.show_start = row->command != Command::escape;
+            continue;
+        }
         if (row == nullptr || (press.repeat && !row->repeats))
             continue;
         if (features_->paint.stroke_open() && row->command != Command::escape) {
@@ -129,6 +153,12 @@ void Editor::handle_keys() {
         state_.last_command = static_cast<int>(row->command);
         run(row->command);
     }
+}
+
+/// What changes or moves the scene does not act while the scene cannot be seen.
+bool Editor::acts_on_start_page(const KeyBinding& row) const {
+    return std::string_view(row.group) == "File" || std::string_view(row.group) == "Window" ||
+           (row.command == Command::escape && state_.show_shortcuts);
 }
 
 void Editor::replace_document(Document document) {
@@ -155,9 +185,18 @@ void Editor::take_opened_scene() {
         return;
     for (const std::string& note : opened->notes)
         log_.add(Severity::note, note);
-    replace_document(opened->document != nullptr
-                         ? std::move(*opened->document)
-                         : Document(std::move(opened->scene), std::move(opened->path)));
+    const bool back = opened->document != nullptr; // what was set aside, with its undo history
+    replace_document(back ? std::move(*opened->document) : Document(opened->scene, opened->path));
+    if (opened->unsaved)
+        document_.mark_unsaved();
+    state_.show_start = opened->start_page;
+    EditorContext c = context();
+    if (back)
+        features_->project.returned(c);
+    else
+        features_->project.opened(c, *opened);
+    if (!opened->recovered_from.empty())
+        features_->autosave.restored(opened->recovered_from);
 }
 
 /// What the run has to say goes to the log.
@@ -228,8 +267,10 @@ void Editor::draw_frame(float width, float height, double seconds) {
         {Place::timeline, &layout_.timeline}, {Place::bottom, &layout_.bottom},
         {Place::status, &layout_.status},     {Place::lesson, &layout_.lesson}};
     for (const auto& [place, area] : places)
-        if (area->width() >= 1 && area->height() >= 1)
+        if (area->width() >= 1 && area->height() >= 1 && (!state_.show_start || place == Place::menu))
             draw_place(c, place, *area);
+    if (state_.show_start)
+        features_->start.draw(c, {{0, layout_.menu.max.y}, io.DisplaySize}, host_.heading_font());
     for (Dialog* dialog : dialogs_->all())
         dialog->draw(c);
     draw_shortcut_sheet(c);

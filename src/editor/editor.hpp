@@ -31,6 +31,8 @@ public:
     void use_gl();
     /// Another document in place of the present one: its results, selection and camera go with it.
     void replace_document(Document document);
+    /// The document came from its path(), a file with this text (empty: from no project).
+    void project_opened(const std::string& text);
     /// Shows a recording of the document's scene instead of running it.
     void show(RecordingPtr recording);
 
@@ -64,6 +66,7 @@ public:
 private:
     void handle_keys();
     void follow_run();
+    bool acts_on_start_page(const KeyBinding& row) const;
     void take_opened_scene();
     std::string& front_panel(Place place);
     void draw_place(EditorContext& context, Place place, const Rect& area);

@@ -101,6 +101,7 @@ struct EditorState {
     Navigation navigation = Navigation::fascicle;
 
     bool show_shortcuts = false;
+    bool show_start = false; ///< the start page instead of the scene
     bool presenting = false; ///< larger, full screen
     int last_command = -1;   ///< Command that a key ran last, for tests and the status line; -1: none
     ExportChoices exporting; ///< of the export dialog

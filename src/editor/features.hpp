@@ -9,9 +9,13 @@
 #include "editor/paint/paint_tool.hpp"
 #include "editor/plot_data.hpp"
 #include "editor/presets/preset_store.hpp"
+#include "editor/project/autosave_keeper.hpp"
+#include "editor/project/project_keeper.hpp"
+#include "editor/project/source_watch.hpp"
 #include "editor/run_shelf.hpp"
 #include "editor/scene_opener.hpp"
 #include "editor/settings.hpp"
+#include "editor/start/start_page.hpp"
 #include "editor/teach/lesson_player.hpp"
 #include "editor/viewport/fibre_hover.hpp"
 
@@ -20,6 +24,10 @@ namespace fascicle::editor {
 struct Features {
     SettingsKeeper settings;
     SceneOpener opener;
+    ProjectKeeper project;
+    AutosaveKeeper autosave;
+    SourceWatch watch;
+    StartPage start;
     FibrePreview fibres;
     PresetStore presets;
     LessonPlayer lessons;
@@ -34,8 +42,8 @@ struct Features {
     PlotData plots;
 
     std::vector<Feature*> all() {
-        return {&settings, &opener, &paint,  &shelf,   &compare, &exporter, &fibre_hover,
-                &loader,   &motion, &fibres, &presets, &lessons, &plots};
+        return {&settings, &opener,  &paint,   &shelf, &compare, &exporter, &fibre_hover, &loader, &motion,
+                &fibres,   &presets, &lessons, &plots, &project, &autosave, &watch,       &start};
     }
 };
 

@@ -3,6 +3,7 @@
 #include "editor/dialogs/dialogs.hpp"
 #include "editor/dropped_file.hpp"
 #include "editor/features.hpp"
+#include "editor/project/project_flow.hpp"
 #include "fascicle/document/actions/import_actions.hpp"
 #include "fascicle/document/actions/timeline_actions.hpp"
 #include "fascicle/io/load_scene.hpp"
@@ -52,7 +53,7 @@ void put(EditorContext& context, FileKind kind, const fs::path& path) {
     FileLoader& loader = context.features.loader;
     switch (kind) {
     case FileKind::project:
-        context.features.opener.open_project(path);
+        open_project(context, path);
         break;
     case FileKind::mesh:
         context.dialogs.mesh.open_with({path});

@@ -14,9 +14,10 @@ constexpr Modifiers shift{.shift = true};
 
 std::vector<KeyBinding> make_bindings() {
     std::vector<KeyBinding> rows;
-    for (const auto& group : {file_commands, edit_commands, timeline_commands, view_commands, show_commands,
-                              paint_commands, window_commands, compare_commands, export_commands,
-                              display_commands, load_commands, lesson_commands, plot_commands}) {
+    for (const auto& group :
+         {file_commands, edit_commands, timeline_commands, view_commands, show_commands, paint_commands,
+          window_commands, compare_commands, export_commands, display_commands, load_commands,
+          lesson_commands, plot_commands, project_commands}) {
         const std::vector<KeyBinding> more = group();
         rows.insert(rows.end(), more.begin(), more.end());
     }

@@ -13,6 +13,11 @@
 namespace fascicle::editor {
 
 enum class Command {
+    new_project,
+    open_project,
+    save_project,
+    save_project_as,
+    show_start_page,
     open_file,
     load_lines,
     load_attachments,

@@ -9,10 +9,15 @@ namespace fascicle::editor {
 
 namespace fs = std::filesystem;
 
+struct SceneOpener::Result {
+    OpenedScene opened;
+    MissingFiles missing; ///< when it names any, nothing was opened
+};
+
 struct SceneOpener::Job {
     std::atomic<bool> stop{false};
     std::atomic<double> fraction{0};
-    std::future<OpenedScene> result;
+    std::future<Result> result;
     bool done() const { return result.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
 };
 
@@ -22,18 +27,29 @@ SceneOpener::~SceneOpener() {
     cancel(); // the futures wait
 }
 
-void SceneOpener::open(SceneRequest request) {
+void SceneOpener::start(std::string what, std::function<Result(const JobControl&)> read) {
     cancel();
     ready_.reset();
-    what_ = request.embedded.empty() ? request.project.filename().string() : request.embedded;
-    request.threads = std::max(1, hardware_threads() - 1);
+    missing_.reset();
+    problem_.clear();
+    what_ = std::move(what);
     job_ = std::make_unique<Job>();
-    job_->result = std::async(std::launch::async, [job = job_.get(), request = std::move(request)] {
+    job_->result = std::async(std::launch::async, [job = job_.get(), read = std::move(read)] {
         JobControl control;
         control.cancel = &job->stop;
         control.report = [job](std::string_view, double fraction) { job->fraction = fraction; };
+        return read(control);
+    });
+}
+
+void SceneOpener::open(SceneRequest request) {
+    if (!request.project.empty())
+        return open_project(request.project);
+    const std::string what = request.embedded.empty() ? "meshes" : request.embedded;
+    request.threads = std::max(1, hardware_threads() - 1);
+    start(what, [request = std::move(request)](const JobControl& control) {
         LoadedScene loaded = load_scene(request, control);
-        return OpenedScene{std::move(loaded.scene), request.project, std::move(loaded.notes)};
+        return Result{{std::move(loaded.scene), {}, std::move(loaded.notes)}, {}};
     });
 }
 
@@ -43,14 +59,42 @@ void SceneOpener::open_embedded(const std::string& name) {
     open(std::move(request));
 }
 
-void SceneOpener::open_project(const fs::path& path) {
-    SceneRequest request;
-    request.project = path;
-    open(std::move(request));
+void SceneOpener::open_project(const fs::path& path, LocatedFiles located) {
+    read_project({path, {}, std::move(located)});
+}
+
+void SceneOpener::recover(const fs::path& copy, const fs::path& path, LocatedFiles located) {
+    read_project({copy, {}, std::move(located), true, path});
+}
+
+void SceneOpener::read_project(MissingFiles request) {
+    const std::string what =
+        (request.recovered && !request.user_path.empty() ? request.user_path : request.project)
+            .filename()
+            .string();
+    start(what, [request = std::move(request)](const JobControl& control) {
+        Result result;
+        result.missing = request;
+        result.missing.files = missing_project_files(request.project, request.located);
+        if (!result.missing.files.empty())
+            return result;
+        const int threads = std::max(1, hardware_threads() - 1);
+        Project project = read_project_file(request.project, threads, control, request.located);
+        result.opened.scene = std::move(project.scene);
+        result.opened.path = request.recovered ? request.user_path : request.project;
+        result.opened.notes = std::move(project.notes);
+        result.opened.project_text = std::move(project.text);
+        result.opened.carry_meshes = project.carry_meshes;
+        result.opened.unsaved = request.recovered || !request.located.empty();
+        if (request.recovered)
+            result.opened.recovered_from = request.project.parent_path();
+        return result;
+    });
 }
 
 void SceneOpener::open_scene(OpenedScene scene) {
     cancel();
+    problem_.clear();
     ready_ = std::move(scene);
 }
 
@@ -76,20 +120,29 @@ void SceneOpener::update(EditorContext& context) {
         return;
     const std::unique_ptr<Job> job = std::move(job_);
     try {
-        ready_ = job->result.get();
+        Result result = job->result.get();
+        if (result.missing.files.empty())
+            ready_ = std::move(result.opened);
+        else
+            missing_ = std::move(result.missing);
     } catch (const std::exception& problem) {
+        problem_ = problem.what();
         context.log.add(Severity::error, problem.what());
     }
 }
 
 std::optional<double> SceneOpener::redraw_after() const {
-    if (ready_)
+    if (ready_ || missing_)
         return 0.0;
     return job_ == nullptr && given_up_.empty() ? std::nullopt : std::optional<double>(1.0 / 25);
 }
 
 std::optional<OpenedScene> SceneOpener::take() {
     return std::exchange(ready_, std::nullopt);
+}
+
+std::optional<MissingFiles> SceneOpener::take_missing() {
+    return std::exchange(missing_, std::nullopt);
 }
 
 } // namespace fascicle::editor

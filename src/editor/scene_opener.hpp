@@ -3,8 +3,9 @@
 // on a thread of its own; what is open stays until the new scene is there, and stays when it cannot be read.
 
 #include "editor/feature.hpp"
-#include "fascicle/io/load_scene.hpp"
+#include "fascicle/io/project_file.hpp"
 
+#include <functional>
 #include <future>
 
 namespace fascicle::editor {
@@ -16,6 +17,20 @@ struct OpenedScene {
     std::vector<std::string> notes; ///< for the log
     /// When not null, this, with its undo history, instead of scene and path.
     std::shared_ptr<Document> document{};
+    std::string project_text{};             ///< of the file, for the fields that this version does not know
+    bool carry_meshes = false;              ///< the project was saved with its meshes inside
+    bool unsaved = false;                   ///< it is in no file as it is here
+    std::filesystem::path recovered_from{}; ///< folder of the session whose copy it is
+    bool start_page = false;                ///< the start page stays in front
+};
+
+/// A project whose files are not all where it says; asked about by the locate dialog.
+struct MissingFiles {
+    std::filesystem::path project;
+    std::vector<MissingFile> files;
+    LocatedFiles located;   ///< found already
+    bool recovered = false; ///< `project` is a copy of `user_path`, see recover()
+    std::filesystem::path user_path{};
 };
 
 class SceneOpener : public Feature {
@@ -25,7 +40,11 @@ public:
     /// A request under way is given up.
     void open(SceneRequest request);
     void open_embedded(const std::string& name);
-    void open_project(const std::filesystem::path& path);
+    /// Files in `located` are read where they are now. When others are missing, take_missing() tells instead.
+    void open_project(const std::filesystem::path& path, LocatedFiles located = {});
+    /// A copy that was kept by itself, of the user's project `path` (or of none): opened as unsaved.
+    void recover(const std::filesystem::path& copy, const std::filesystem::path& path,
+                 LocatedFiles located = {});
     /// At the next frame.
     void open_scene(OpenedScene scene);
 
@@ -41,13 +60,22 @@ public:
     std::optional<double> redraw_after() const override;
     /// The new document, once; the editor takes it at the start of a frame.
     std::optional<OpenedScene> take();
+    /// Once.
+    std::optional<MissingFiles> take_missing();
+    /// Why the last thing could not be opened; empty when it could.
+    const std::string& problem() const { return problem_; }
 
 private:
     struct Job;
+    struct Result;
+    /// Opens it, or tells what is missing.
+    void read_project(MissingFiles request);
+    void start(std::string what, std::function<Result(const JobControl&)> read);
     std::unique_ptr<Job> job_;
     std::vector<std::unique_ptr<Job>> given_up_; ///< told to stop, waited for without blocking
     std::optional<OpenedScene> ready_;
-    std::string what_;
+    std::optional<MissingFiles> missing_;
+    std::string what_, problem_;
 };
 
 } // namespace fascicle::editor

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <csignal>
+#include <cstdlib>
 #include <cstring>
+#include <fcntl.h>
 #include <unistd.h>
 
 namespace fascicle {
@@ -15,6 +18,34 @@ namespace {
 
 std::string reason(int number = errno) {
     return number != 0 ? std::strerror(number) : "unknown reason";
+}
+
+/// What was written through any handle reaches the disk. 0, or the system's reason; what cannot be flushed at all (some
+/// network folders) counts as done.
+int flush_to_disk(const fs::path& path, int flags) {
+    const int file = ::open(path.c_str(), flags | O_CLOEXEC);
+    if (file < 0)
+        return errno;
+    const int failed = ::fsync(file) == 0 ? 0 : errno;
+    ::close(file);
+    return failed == EINVAL || failed == ENOTSUP ? 0 : failed;
+}
+
+/// Temporary files of `path` whose program is no longer there.
+void remove_orphans(const fs::path& path) {
+    const std::string start = path.filename().string() + ".part";
+    std::error_code error;
+    for (fs::directory_iterator it(path.parent_path(), error), end; !error && it != end;
+         it.increment(error)) {
+        const std::string name = it->path().filename().string();
+        if (name.compare(0, start.size(), start) != 0)
+            continue;
+        char* rest = nullptr;
+        const long pid = std::strtol(name.c_str() + start.size(), &rest, 10);
+        std::error_code ignored;
+        if (pid > 0 && *rest == '-' && ::kill(static_cast<pid_t>(pid), 0) != 0 && errno == ESRCH)
+            fs::remove(it->path(), ignored);
+    }
 }
 
 } // namespace
@@ -97,21 +128,51 @@ void AtomicFile::write(const void* data, std::size_t size) {
 }
 
 void AtomicFile::commit() {
+    commit(Flush::no);
+}
+
+void AtomicFile::commit(Flush flush) {
     const bool written = !stream_.fail();
     errno = 0;
     if (buffer_.close() == nullptr || !written)
         throw_error(path_.string(), "cannot write: " + reason(buffer_.reason != 0 ? buffer_.reason : errno));
+    if (flush == Flush::to_disk)
+        if (const int failed = flush_to_disk(temporary_, O_RDONLY); failed != 0)
+            throw_error(path_.string(), "cannot write: " + reason(failed));
     std::error_code code;
     fs::rename(temporary_, path_, code);
     if (code)
         throw_error(path_.string(), "cannot write: " + code.message());
     temporary_.clear();
+    if (flush ==
+        Flush::
+            to_disk) // the file is whole under its name already: a folder that cannot be flushed is no failure
+        flush_to_disk(path_.has_parent_path() ? path_.parent_path() : fs::path("."), O_RDONLY | O_DIRECTORY);
 }
 
 void write_file(const fs::path& path, const std::string& bytes) {
     AtomicFile file(path);
     file.write(bytes.data(), bytes.size());
     file.commit();
+}
+
+void write_document(const fs::path& path, const std::string& bytes) {
+    std::error_code error;
+    const fs::path absolute = fs::absolute(path, error);
+    fs::path target = fs::weakly_canonical(absolute, error);
+    if (error)
+        target = absolute;
+    const fs::file_status old = fs::status(target, error);
+    if (fs::is_directory(old))
+        throw_error(path.string(), "cannot write: is a folder", "the name of a file");
+    if (fs::exists(old) && ::access(target.c_str(), W_OK) != 0)
+        throw_error(path.string(), "cannot write: " + reason());
+    AtomicFile file(target);
+    file.write(bytes.data(), bytes.size());
+    file.commit(AtomicFile::Flush::to_disk);
+    if (fs::exists(old))
+        fs::permissions(target, old.permissions(), error);
+    remove_orphans(target);
 }
 
 } // namespace fascicle

@@ -3,9 +3,15 @@
 #include "fascicle/base/build_info.hpp"
 #include "fascicle/base/error.hpp"
 #include "fascicle/base/state_hash.hpp"
+#include "fascicle/io/files.hpp"
+#include "fascicle/scene/embedded_scenes.hpp"
 #include "fascicle/scene/line_muscles.hpp"
+#include "io/mesh_codec.hpp"
+#include "io/project_unknown.hpp"
 
 #include <algorithm>
+#include <mutex>
+#include <set>
 
 namespace fascicle::io {
 namespace fs = std::filesystem;
@@ -15,21 +21,53 @@ Json vector_json(const Vec3& v) {
     return {v.x(), v.y(), v.z()};
 }
 
-/// Adds to `fresh` what `previous` has and this version does not know.
-void keep_unknown(Json& fresh, const Json& previous, const std::vector<std::string>& known) {
-    if (previous.is_object())
-        for (const auto& [key, value] : previous.items())
-            if (!fresh.contains(key) && std::count(known.begin(), known.end(), key) == 0)
-                fresh[key] = value;
+/// StateHash of the file's bytes; empty when there is no such file. Remembered while time and size stay, so that saving
+/// often does not read large meshes often.
+std::string hash_of_file(const fs::path& path) {
+    static std::mutex mutex;
+    static std::map<fs::path, std::pair<std::pair<fs::file_time_type, std::uintmax_t>, std::string>> known;
+    std::error_code code;
+    const auto time = fs::last_write_time(path, code);
+    const auto size = code ? 0 : fs::file_size(path, code);
+    if (code || !fs::is_regular_file(path, code))
+        return {};
+    const std::lock_guard lock(mutex);
+    auto& [state, hash] = known[path];
+    if (hash.empty() || state != std::pair(time, size))
+        try {
+            const std::string bytes = read_file(path);
+            StateHash fresh;
+            fresh.add_bytes(bytes.data(), bytes.size());
+            hash = fresh.hex();
+            state = {time, size};
+        } catch (const Error&) {
+            hash.clear();
+        }
+    return hash;
 }
 
-/// The object of that name in a list of the previous file, or null.
-Json previous_entry(const Json& previous, const char* list, const std::string& name) {
-    if (const auto it = previous.find(list); it != previous.end() && it->is_array())
-        for (const Json& entry : *it)
-            if (entry.is_object() && entry.contains("name") && entry["name"] == name)
-                return entry;
-    return Json::object();
+/// Whether the file still holds what was read from it.
+bool is_current(const MeshSource& source) {
+    return !source.path.empty() && !source.hash.empty() && hash_of_file(source.path) == source.hash;
+}
+
+/// Hashes of all meshes of an embedded scene, made once.
+const std::set<std::string>& embedded_hashes(const std::string& name) {
+    static std::mutex mutex;
+    static std::map<std::string, std::set<std::string>> known;
+    const std::lock_guard lock(mutex);
+    const auto [it, is_new] = known.try_emplace(name);
+    if (is_new) {
+        const auto& all = embedded_scenes();
+        if (std::none_of(all.begin(), all.end(), [&](const auto& info) { return info.name == name; }))
+            return it->second;
+        const Scene scene = make_embedded_scene(name);
+        for (const Bone& bone : scene.bones)
+            it->second.insert(mesh_hash(*bone.mesh));
+        for (const Muscle& muscle : scene.muscles)
+            it->second.insert(mesh_hash(*muscle.mesh));
+    }
+    return it->second;
 }
 
 Json source_json(const MeshSource& source, const fs::path& folder) {
@@ -43,16 +81,50 @@ Json source_json(const MeshSource& source, const fs::path& folder) {
 }
 
 template <typename Thing>
-Json thing_json(const Thing& thing, const Scene& scene, const fs::path& folder) {
+Json thing_json(const Thing& thing, const Scene& scene, const fs::path& folder, bool carry) {
     Json json{{"name", thing.name}};
-    if (!thing.source.path.empty())
+    if (!carry && is_current(thing.source)) {
         json.update(source_json(thing.source, folder));
-    else if (!scene.embedded_name.empty())
-        json["embedded"] = mesh_hash(*thing.mesh);
-    else
-        throw_error(folder.string(),
-                    "'" + thing.name + "' comes from no file and cannot be named in a project",
-                    "meshes from files or from an embedded scene");
+        return json;
+    }
+    if (!carry && !scene.embedded_name.empty() && thing.source.path.empty())
+        if (const std::string hash = mesh_hash(*thing.mesh);
+            embedded_hashes(scene.embedded_name).count(hash) != 0) {
+            json["embedded"] = hash;
+            return json;
+        }
+    json["mesh"] = carried_mesh_json(*thing.mesh);
+    return json;
+}
+
+Json points_json(const Points& points) {
+    Json json = Json::array();
+    for (const Vec3& p : points)
+        json.push_back(vector_json(p));
+    return json;
+}
+
+Json polygons_json(const std::vector<FibrePolygon>& side) {
+    Json json = Json::array();
+    for (const FibrePolygon& polygon : side) {
+        Json points = Json::array();
+        for (const Vec2& p : polygon.points)
+            points.push_back({p.x(), p.y()});
+        json.push_back({{"s", polygon.s}, {"weight", polygon.weight}, {"points", points}});
+    }
+    return json;
+}
+
+/// As in a template file.
+Json template_json(const FibreTemplate& t) {
+    Json json{{"format", "fascicle fibre template"},
+              {"version", 1},
+              {"key", t.key},
+              {"label", t.label},
+              {"meaning", t.meaning},
+              {"front", polygons_json(t.front)}};
+    if (!t.back.empty())
+        json["back"] = polygons_json(t.back);
     return json;
 }
 
@@ -70,23 +142,25 @@ Json ranges_json(const SurfaceRegion& region) {
     return ranges;
 }
 
-Json muscle_json(const Muscle& muscle, const Scene& scene, const fs::path& folder) {
-    Json json = thing_json(muscle, scene, folder);
+Json muscle_json(const Muscle& muscle, const Scene& scene, const fs::path& folder, bool carry) {
+    Json json = thing_json(muscle, scene, folder, carry);
     json["attach_automatically"] = muscle.attach_automatically;
+    const bool files = !carry && !muscle.outline_files.empty() &&
+                       std::all_of(muscle.outline_files.begin(), muscle.outline_files.end(), is_current);
     for (const MeshSource& source : muscle.outline_files)
-        json["outline_files"].push_back(source_json(source, folder));
-    if (muscle.outline_files.empty())
-        for (const AttachmentOutline& outline : muscle.outlines) {
-            Json points = Json::array();
-            for (const Vec3& p : outline.points)
-                points.push_back(vector_json(p));
-            json["outlines"].push_back(
-                {{"kind", to_text(outline.kind)}, {"bone", outline.bone}, {"points", points}});
-            if (!outline.head.empty())
-                json["outlines"].back()["head"] = outline.head;
-            if (outline.hole)
-                json["outlines"].back()["hole"] = true;
-        }
+        if (files)
+            json["outline_files"].push_back(source_json(source, folder));
+    for (const AttachmentOutline& outline : muscle.outlines) {
+        if (files)
+            break;
+        json["outlines"].push_back({{"kind", to_text(outline.kind)},
+                                    {"bone", outline.bone},
+                                    {"points", points_json(outline.points)}});
+        if (!outline.head.empty())
+            json["outlines"].back()["head"] = outline.head;
+        if (outline.hole)
+            json["outlines"].back()["hole"] = true;
+    }
     for (const Attachment& a : muscle.attachments)
         json["attachments"].push_back(
             {{"kind", to_text(a.kind)},
@@ -102,10 +176,15 @@ Json muscle_json(const Muscle& muscle, const Scene& scene, const fs::path& folde
         entry["ranges"] = ranges_json(area.vertices);
         json["areas"].push_back(std::move(entry));
     }
-    if (!muscle.surface_fibres_source.path.empty())
+    if (muscle.surface_fibres != nullptr && !carry && is_current(muscle.surface_fibres_source))
         json["surface_fibres"] = source_json(muscle.surface_fibres_source, folder);
-    if (!muscle.fibre_template_source.path.empty())
+    else if (muscle.surface_fibres != nullptr)
+        json["surface_fibres"] = {{"points", points_json(muscle.surface_fibres->points)},
+                                  {"lines", muscle.surface_fibres->lines}};
+    if (muscle.fibre_template != nullptr && !carry && is_current(muscle.fibre_template_source))
         json["fibre_template"] = source_json(muscle.fibre_template_source, folder);
+    else if (muscle.fibre_template != nullptr)
+        json["fibre_template"] = {{"template", template_json(*muscle.fibre_template)}};
     return json;
 }
 
@@ -146,6 +225,18 @@ Json parameters_json(const ParamSet& parameters) {
     return json;
 }
 
+/// Defaults that the scene brings with it in place of its method's.
+Json parameter_defaults_json(const ParamSet& parameters) {
+    ParamSet plain = default_parameters();
+    set_method(plain, parameters.get_choice("solver.method"));
+    Json json = Json::object();
+    for (const ParamRow& row : parameters.table().rows())
+        if (row.kind != ParamKind::choice &&
+            parameters.default_value(row.key) != plain.default_value(row.key))
+            json[row.key] = parameters.default_value(row.key);
+    return json;
+}
+
 } // namespace
 
 std::string mesh_hash(const TriMesh& mesh) {
@@ -156,37 +247,36 @@ std::string mesh_hash(const TriMesh& mesh) {
     return hash.hex();
 }
 
-Json project_json(const Scene& scene, const fs::path& file, const Json& previous) {
-    const fs::path folder = fs::absolute(file).parent_path();
+Json project_json(const Scene& scene, const fs::path& file, const Json& previous, bool carry_meshes) {
+    const fs::path folder = fs::absolute(file).parent_path().lexically_normal();
     Json json{{"fascicle_project", project_version}, {"program_version", program_version()}};
     json["name"] = scene.name;
     if (!scene.embedded_name.empty())
         json["embedded_scene"] = scene.embedded_name;
+    if (carry_meshes)
+        json["carries_meshes"] = true;
     json["unit"] = to_text(scene.unit);
     json["bones"] = Json::array();
-    for (const Bone& bone : scene.bones) {
-        Json entry = thing_json(bone, scene, folder);
-        keep_unknown(entry, previous_entry(previous, "bones", bone.name),
-                     {"path", "hash", "size", "embedded"});
-        json["bones"].push_back(std::move(entry));
-    }
+    for (const Bone& bone : scene.bones)
+        json["bones"].push_back(thing_json(bone, scene, folder, carry_meshes));
     json["muscles"] = Json::array();
-    for (const Muscle& muscle : scene.muscles) {
-        Json entry = muscle_json(muscle, scene, folder);
-        keep_unknown(entry, previous_entry(previous, "muscles", muscle.name),
-                     {"path", "hash", "size", "embedded", "outline_files", "outlines", "attachments", "areas",
-                      "surface_fibres", "fibre_template"});
-        json["muscles"].push_back(std::move(entry));
-    }
+    for (const Muscle& muscle : scene.muscles)
+        json["muscles"].push_back(muscle_json(muscle, scene, folder, carry_meshes));
     json["timeline"] = timeline_json(scene);
+    for (const Marker& marker : scene.markers)
+        json["markers"].push_back({{"frame", marker.frame}, {"name", marker.name}});
+    if (!scene.motion_source.path.empty())
+        json["motion_file"] = source_json(scene.motion_source, folder);
     if (scene.line_muscles != nullptr && !scene.line_muscles->source.path.empty())
         json["line_muscles"] = source_json(scene.line_muscles->source, folder);
+    if (Json defaults = parameter_defaults_json(scene.parameters); !defaults.empty())
+        json["parameter_defaults"] = std::move(defaults);
     json["parameters"] = parameters_json(scene.parameters);
     if (const auto it = previous.find("parameters"); it != previous.end() && it->is_object())
         for (const auto& [key, value] : it->items())
             if (scene.parameters.table().find(key) == nullptr)
                 json["parameters"][key] = value;
-    keep_unknown(json, previous, {"embedded_scene", "line_muscles"});
+    keep_unknown_fields(json, previous);
     return json;
 }
 

@@ -34,6 +34,10 @@ void Driver::settle() {
     frame(static_cast<int>(ed::RunManager::settle_seconds * 60) + 3);
 }
 
+void Driver::wait(double seconds) {
+    editor_->draw_frame(width_, height_, seconds);
+}
+
 ed::Rect Driver::rect(const std::string& name) const {
     const ed::Rect* found = recorder_.find(name);
     INFO("widget " << name);

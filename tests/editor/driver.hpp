@@ -19,6 +19,8 @@ public:
     void frame(int count = 1);
     /// Lets runs start: waits out the settling time.
     void settle();
+    /// One frame that comes so much later.
+    void wait(double seconds);
 
     bool has(const std::string& name) const { return recorder_.find(name) != nullptr; }
     /// Place of a widget; fails the test when it is not on the screen.

@@ -105,7 +105,7 @@ def main():
                 skip(f"{tool} is not installed")
         server, display = start_display()
         try:
-            environment = dict(os.environ, DISPLAY=display)
+            environment = dict(os.environ, DISPLAY=display, FASCICLE_USER="")  # no copies of others' work are offered
             environment.pop("WAYLAND_DISPLAY", None)
             frames_and_exit(editor, environment, folder)
             key_and_picture(editor, environment, folder)

@@ -34,6 +34,10 @@ public:
     /// Whether the head is another scene than the one that was opened or saved last.
     bool dirty() const { return edited_ || history_.head() != saved_; }
     void mark_saved(std::filesystem::path path);
+    /// `saved`: what was written, which need not be the head any more.
+    void mark_saved(std::filesystem::path path, ScenePtr saved);
+    /// What is here is in no file, e.g. after a recovery.
+    void mark_unsaved() { saved_ = nullptr; }
 
     // For actions only.
 

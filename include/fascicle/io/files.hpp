@@ -25,6 +25,10 @@ public:
     void write(const void* data, std::size_t size);
     /// Error naming the file when writing failed (disk full, folder gone).
     void commit();
+    /// to_disk: the bytes are on the disk before the file gets its name, and the name before this returns, so that a power
+    /// cut leaves the old file or the new one.
+    enum class Flush { no, to_disk };
+    void commit(Flush flush);
 
 private:
     /// Remembers the system's reason of the first write that failed: by the time of commit() errno is another's.
@@ -46,5 +50,9 @@ private:
 
 /// AtomicFile for text or bytes that are already in memory.
 void write_file(const std::filesystem::path& path, const std::string& bytes);
+
+/// The same for a document of the user's, flushed to the disk: what a link points to is replaced, not the link; permissions
+/// stay; a write-protected file is an Error; temporary files that a crashed program left beside it are removed.
+void write_document(const std::filesystem::path& path, const std::string& bytes);
 
 } // namespace fascicle

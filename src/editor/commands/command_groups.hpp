@@ -5,6 +5,7 @@
 
 namespace fascicle::editor {
 
+std::vector<KeyBinding> project_commands();
 std::vector<KeyBinding> file_commands();
 std::vector<KeyBinding> export_commands();
 std::vector<KeyBinding> load_commands();

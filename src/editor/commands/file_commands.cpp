@@ -1,5 +1,6 @@
 #include "editor/commands/command_groups.hpp"
 #include "editor/dialogs/dialogs.hpp"
+#include "editor/project/project_flow.hpp"
 
 namespace fascicle::editor {
 
@@ -16,7 +17,10 @@ std::vector<KeyBinding> file_commands() {
          {{{key_i, ctrl}}},
          false,
          nullptr,
-         [](EditorContext& c) { c.dialogs.mesh.open(); }},
+         [](EditorContext& c) {
+             c.state.show_start = false;
+             c.dialogs.mesh.open();
+         }},
         {C::save_picture,
          file,
          "Save picture",
@@ -37,14 +41,7 @@ std::vector<KeyBinding> file_commands() {
          [](EditorContext& c) {
              c.dialogs.picture.open(next_picture_name(c.document.scene().name, c.playhead()));
          }},
-        {C::quit,
-         file,
-         "Quit",
-         "Closes the program.",
-         {{{key_q, ctrl}}},
-         false,
-         nullptr,
-         [](EditorContext& c) { c.state.wants_quit = true; }},
+        {C::quit, file, "Quit", "Closes the program.", {{{key_q, ctrl}}}, false, nullptr, quit},
     };
 }
 

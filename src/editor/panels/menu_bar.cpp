@@ -18,8 +18,7 @@ public:
     void draw(EditorContext& context, const Rect& area) override {
         if (!ImGui::BeginMenuBar())
             return;
-        menu(context, "File",
-             {C::open_file, C::save_picture, C::save_picture_as, C::export_run, C::export_plots}, {C::quit});
+        file_menu(context);
         menu(context, "Edit", {C::undo, C::redo}, {C::paint_mode, C::remove_selected, C::deselect});
         menu(context, "Scene",
              {C::open_file, C::load_attachments, C::load_surface_fibres, C::load_fibre_template,
@@ -58,6 +57,19 @@ private:
         items(context, first);
         ImGui::Separator();
         items(context, second);
+        ImGui::EndMenu();
+    }
+
+    static void file_menu(EditorContext& context) {
+        if (!begin("File"))
+            return;
+        items(context, {C::new_project, C::open_project, C::show_start_page});
+        ImGui::Separator();
+        items(context, {C::save_project, C::save_project_as});
+        ImGui::Separator();
+        items(context, {C::open_file, C::save_picture, C::save_picture_as, C::export_run, C::export_plots});
+        ImGui::Separator();
+        items(context, {C::quit});
         ImGui::EndMenu();
     }
 
@@ -109,9 +121,11 @@ private:
         ImGui::EndMenu();
     }
 
-    /// The scene's name at the right end, with a mark while it differs from its file.
+    /// The project's file (or the scene's name) at the right end, with a mark while the two differ.
     static void draw_title(const EditorContext& context, const Rect& area) {
-        const std::string name = context.document.scene().name + (context.document.dirty() ? " *" : "");
+        const std::filesystem::path& path = context.document.path();
+        const std::string name = (path.empty() ? context.document.scene().name : path.filename().string()) +
+                                 (context.document.dirty() ? " *" : "");
         const float right = area.max.x - context.px(12),
                     room = right - ImGui::GetCursorScreenPos().x - context.px(12);
         const std::string shown = elided(name, room);
@@ -121,6 +135,10 @@ private:
         ImGui::PushStyleColor(ImGuiCol_Text, context.theme.text_dim);
         ImGui::TextUnformatted(shown.c_str());
         ImGui::PopStyleColor();
+        record_item("menu/title");
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("%s%s", path.empty() ? "In no file yet" : path.string().c_str(),
+                              context.document.dirty() ? "\nWith changes that are not saved" : "");
     }
 };
 

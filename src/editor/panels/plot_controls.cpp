@@ -167,8 +167,7 @@ std::string kept_run_text(const EditorContext& context, const MetricValues& run)
 
 void restore_parameters(EditorContext& context, const MetricValues& run) {
     const std::string name = run.name;
-    if (!actions::use_parameters(context.document, run.scene->parameters,
-                                     "Restore parameters of " + name))
+    if (!actions::use_parameters(context.document, run.scene->parameters, "Restore parameters of " + name))
         context.log.add(Severity::note, name + " was made with the parameters of now.");
 }
 

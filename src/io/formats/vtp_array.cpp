@@ -1,5 +1,6 @@
 #include "io/formats/vtp_array.hpp"
 
+#include "io/base64.hpp"
 #include "io/formats/text_scanner.hpp"
 
 #include <bit>
@@ -23,43 +24,6 @@ std::optional<NumberType> number_type(const std::string& name) {
         if (known == name)
             return type;
     return std::nullopt;
-}
-
-/// Base64 to bytes. White space is passed over; false when anything else is wrong. Encoded runs may follow
-/// each other, each with its own padding, as VTK writes header and data.
-bool decode_base64(std::string_view text, std::string& out) {
-    std::uint32_t bits = 0;
-    int digits = 0, padding = 0;
-    out.reserve(text.size() / 4 * 3);
-    for (const char c : text) {
-        std::uint32_t value = 0;
-        if (c >= 'A' && c <= 'Z')
-            value = static_cast<std::uint32_t>(c - 'A');
-        else if (c >= 'a' && c <= 'z')
-            value = static_cast<std::uint32_t>(c - 'a' + 26);
-        else if (c >= '0' && c <= '9')
-            value = static_cast<std::uint32_t>(c - '0' + 52);
-        else if (c == '+' || c == '/')
-            value = c == '+' ? 62 : 63;
-        else if (c == '=')
-            ++padding;
-        else if (c == ' ' || c == '\t' || c == '\r' || c == '\n')
-            continue;
-        else
-            return false;
-        if (c != '=' && padding > 0)
-            return false;
-        bits = (bits << 6) | value;
-        if (++digits == 4) {
-            if (padding > 2)
-                return false;
-            for (int i = 0; i < 3 - padding; ++i)
-                out += static_cast<char>((bits >> (16 - 8 * i)) & 0xff);
-            bits = 0;
-            digits = padding = 0;
-        }
-    }
-    return digits == 0;
 }
 
 std::uint64_t take_bits(std::string_view bytes, std::size_t start, std::size_t size, bool big_endian) {
