@@ -7,9 +7,11 @@
 #include "editor/features.hpp"
 #include "editor/measure.hpp"
 #include "editor/project/project_flow.hpp"
+#include "editor/screens.hpp"
 #include "fascicle/base/build_info.hpp"
 #include "fascicle/base/error.hpp"
 #include "fascicle/io/files.hpp"
+#include "fascicle/io/png.hpp"
 #include "fascicle/io/project_file.hpp"
 #include "fascicle/io/user_folder.hpp"
 #include "render/gl_functions.hpp"
@@ -18,6 +20,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <imgui.h>
 #include <iostream>
 #include <thread>
@@ -34,6 +37,10 @@ struct EditorCommandLine {
     int quit_after = 0;
     bool start = false; ///< the start page first
     bool measure = false;
+    std::string screens; ///< folder to write pictures of the screens into
+    std::vector<std::string> only;
+    std::string screen_size = "1280x800";
+    bool light = false;
 };
 
 constexpr double awake_seconds = 0.8, asleep_seconds = 1.0, text_cursor_seconds = 0.25;
@@ -142,6 +149,25 @@ void run_window(Window& window, editor::Editor& program, render::ImguiRenderer& 
     }
 }
 
+int write_screens(const EditorCommandLine& options) {
+    editor::ScreenOptions wanted;
+    char more = 0;
+    if (std::sscanf(options.screen_size.c_str(), "%dx%d%c", &wanted.width, &wanted.height, &more) != 2 ||
+        wanted.width < 64 || wanted.height < 64 || wanted.width > 8192 || wanted.height > 8192)
+        throw_error("--size", "got '" + options.screen_size + "'", "WIDTHxHEIGHT, 64 to 8192 each",
+                    ErrorKind::usage);
+    wanted.scale = options.scale > 0 ? static_cast<float>(options.scale) : 1;
+    wanted.dark = !options.light;
+    wanted.only = options.only;
+    for (const editor::ScreenPicture& picture : editor::draw_screens(wanted)) {
+        const std::filesystem::path file =
+            std::filesystem::path(options.screens) / (std::string(picture.row->id) + ".png");
+        write_png(file, picture.image.width, picture.image.height, picture.image.rgba.data());
+        std::cout << file.string() << "\n";
+    }
+    return 0;
+}
+
 int run_editor(EditorCommandLine& options) {
     Beginning begin = load_scene_to_edit(options);
     Document document(std::move(begin.loaded.scene), begin.locate ? std::filesystem::path() : begin.project);
@@ -180,6 +206,11 @@ int parse_and_run(int argc, char** argv) {
                "Size of text and controls, 0.75 to 3 (default: the monitor's)");
     add_whole(app, "--quit-after", options.quit_after, 1, 1000000000, "N",
               "Closes after N pictures; for tests");
+    app.add_option("--screens", options.screens,
+                   "Draws the main screens into this folder as PNG and ends; needs no display");
+    app.add_option("--only", options.only, "Of --screens: these alone, by name");
+    app.add_option("--size", options.screen_size, "Of --screens: WIDTHxHEIGHT in pixels (default 1280x800)");
+    app.add_flag("--light", options.light, "Of --screens: the light theme");
     app.add_flag(
         "--measure", options.measure,
         "Prints what the editor's own work costs a frame, idle and while painting; needs no display");
@@ -194,6 +225,8 @@ int parse_and_run(int argc, char** argv) {
     }
     if (app.count("--scale") > 0 && !(options.scale >= 0.75 && options.scale <= 3))
         throw_error("--scale", "got " + number_text(options.scale), "0.75 to 3", ErrorKind::usage);
+    if (!options.screens.empty())
+        return write_screens(options);
     if (options.measure) {
         std::cout << editor::to_text(editor::measure_editor());
         return 0;
