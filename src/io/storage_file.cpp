@@ -156,8 +156,9 @@ StorageTable read_storage(std::string_view bytes, const std::string& file) {
             table.notes.push_back("several columns are called " + shown(name) + ": the first one counts");
     table.in_degrees = header.in_degrees.value_or(header.says_degrees || header.simm);
     if (!header.in_degrees)
-        table.notes.push_back(std::string("the header does not say inDegrees: angles are taken for ") +
-                              (table.in_degrees ? "degrees" : "radians"));
+        table.notes.emplace_back(table.in_degrees
+                                     ? "the header does not say inDegrees: angles are taken for degrees"
+                                     : "the header does not say inDegrees: angles are taken for radians");
     read_rows(in, table);
     if (table.lines.empty())
         in.fail("the table has no rows", "rows of numbers below the names of the columns");

@@ -215,7 +215,10 @@ VideoEncoder::VideoEncoder(const fs::path& encoder, fs::path file, int width, in
     if (error)
         me.fail("cannot make the folder (" + error.message() + ")");
     // A whole path, so that no name looks like an option of the encoder.
-    me.part = folder / ("." + me.file.filename().string() + ".part-" + std::to_string(::getpid()));
+    fs::path part = ".";
+    part += me.file.filename();
+    part += ".part-" + std::to_string(::getpid());
+    me.part = folder / part;
     me.start(arguments(encoder, me.part, width, height, fps));
 }
 
