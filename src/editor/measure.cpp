@@ -47,7 +47,9 @@ Scene make_scene() {
     scene.muscles.push_back(std::move(muscle));
     scene.timeline =
         make_hinge_timeline({Vec3(0, -40, 0), Vec3::UnitZ()}, 0.3, {frames / 2, frames / 2, 0}, 2, {1});
+    scene.parameters.set_text("fibres.method", "streamlines"); // as many for every shape
     scene.parameters.set("fibres.count", 100);
+    scene.parameters.set("attachment.distance_mm", 3);
     return scene;
 }
 
@@ -176,7 +178,7 @@ EditorCost measure_editor(const JobControl& control) {
         std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
         cost.idle_cpu_share = (cpu_seconds(CLOCK_PROCESS_CPUTIME_ID) - start) / seconds;
     }
-    const MeshPtr bone = ellipsoid(145, {40, 40, 120}, Vec3::Zero());
+    const MeshPtr bone = ellipsoid(145, {60, 60, 70}, Vec3::Zero());
     cost.stroke_triangles = static_cast<int>(bone->triangle_count());
     cost.strokes = measure_strokes(bone, 8, 100);
     return cost;

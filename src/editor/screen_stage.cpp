@@ -28,7 +28,9 @@ private:
 ScreenStage::ScreenStage(std::vector<RecordingPtr> runs, const ScreenOptions& options)
     : runs_(std::move(runs)), options_(options), host_(options.scale),
       editor_(host_, Document(runs_.at(0)->scene()),
-              [this](ScenePtr) -> std::unique_ptr<Run> {
+              [this](ScenePtr scene) -> std::unique_ptr<Run> {
+                  if (!same_bodies(*scene, runs_.front()->scene()) || fresh_runs_)
+                      return simulate_on_thread()(std::move(scene));
                   const std::size_t which = std::min(next_run_++, runs_.size() - 1);
                   return std::make_unique<DoneRun>(runs_[which]);
               },
@@ -103,6 +105,16 @@ void ScreenStage::type(const std::string& text) {
 void ScreenStage::tab(const char* id) {
     state().side_panel = id;
     frames(2);
+}
+
+void ScreenStage::wait(double most_seconds) {
+    for (int i = 0; i < static_cast<int>(most_seconds * 100); ++i) {
+        frames(4);
+        const bool busy = editor_.runs().running() || editor_.runs().outdated() || editor_.metrics().behind();
+        if (!busy && !editor_.next_redraw())
+            return;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
 }
 
 void ScreenStage::second_run() {

@@ -22,6 +22,10 @@ public:
     void run(Command command);
     /// Draws frames, waiting for what is measured or prepared in the background.
     void frames(int count);
+    /// Draws frames until nothing is computed any more, or for so long.
+    void wait(double most_seconds = 20);
+    /// From here on changes of the scene are really run.
+    void run_anew() { fresh_runs_ = true; }
     /// Place of a widget; empty when it is not there.
     Rect rect(const std::string& widget) const;
     void move(ImVec2 to);
@@ -44,6 +48,7 @@ private:
     render::ImguiRenderer renderer_;
     ItemRecorder recorder_;
     std::size_t next_run_ = 0;
+    bool fresh_runs_ = false;
     Editor editor_;
     render::OffscreenTarget target_;
 };

@@ -18,7 +18,7 @@ constexpr int shown_frame = 70;
 
 void start(ScreenStage& s) {
     s.run(C::show_start_page);
-    s.frames(90); // the pictures of the scenes are drawn meanwhile
+    s.wait(); // for the pictures of the scenes
 }
 
 void scene(ScreenStage& s) {
@@ -35,7 +35,7 @@ void paint(ScreenStage& s) {
     s.click("tree/femur");
     s.run(C::frame_selection);
     s.run(C::paint_mode);
-    s.frames(40); // the bone's surface is prepared
+    s.wait(); // until the bone's surface is prepared
     const Rect view = s.rect("viewport");
     const ImVec2 middle{(view.min.x + view.max.x) / 2, (view.min.y + view.max.y) / 2};
     s.drag({middle.x - 6, middle.y - 30}, {middle.x + 6, middle.y + 60});
@@ -45,7 +45,11 @@ void paint(ScreenStage& s) {
 
 void fibres(ScreenStage& s) {
     s.tab("fibres");
+    s.run_anew();
+    s.click("fibres/template/pennate");
     s.state().colouring = view::Colouring::fibres;
+    s.wait();
+    s.state().playback.position = shown_frame;
     s.frames(20);
 }
 
@@ -63,9 +67,13 @@ void display(ScreenStage& s) {
 }
 
 void plots(ScreenStage& s) {
+    s.run_anew();
+    s.tab("fibres");
+    s.click("fibres/template/parallel");
+    s.tab("parameters");
     s.state().layout.bottom = 420;
     s.state().layout.show_left = false;
-    s.frames(10);
+    s.wait();
     s.hover("plot/edge_extension/area");
     s.frames(4);
 }
@@ -92,7 +100,9 @@ void exporting(ScreenStage& s) {
 
 void lesson(ScreenStage& s) {
     s.start_lesson("volume");
-    s.frames(30);
+    s.wait();
+    s.state().playback.position = 90;
+    s.frames(6);
 }
 
 void search(ScreenStage& s) {

@@ -1,3 +1,4 @@
+#include "editor/dialogs/command_search.hpp"
 #include "editor/driver.hpp"
 #include "fascicle/io/files.hpp"
 #include "support/temp_dir.hpp"

@@ -9,6 +9,7 @@
 #include "support/temp_dir.hpp"
 
 #include <catch2/catch.hpp>
+#include <set>
 
 using namespace fascicle;
 using namespace fascicle::output;

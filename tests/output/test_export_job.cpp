@@ -9,6 +9,7 @@
 
 #include <catch2/catch.hpp>
 #include <gif_lib.h>
+#include <set>
 #include <thread>
 
 using namespace fascicle;

@@ -9,6 +9,8 @@
 #include "support/temp_dir.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <set>
 
 using namespace fascicle;
 using namespace fascicle::output;

@@ -66,9 +66,11 @@ int draw_tab_strip(const EditorContext& context, ImFont* heading, const std::vec
             ImGui::PopID();
         }
         const ImU32 colour = tab.alarm ? theme.bad : active ? theme.text : theme.text_dim;
-        if (small)
+        if (small) { // icons are in the text font alone
+            ImGui::PopFont();
             draw_text_in(list, rect, colour, short_title(tab), Align::centre);
-        else
+            ImGui::PushFont(heading);
+        } else
             draw_text_in(list, {{rect.min.x + pad, rect.min.y}, rect.max}, colour, tab.title);
     }
     ImGui::PopFont();
