@@ -62,7 +62,9 @@ void Editor::drop_files(const std::vector<std::filesystem::path>& files) {
     EditorContext c = context();
     const bool project = std::any_of(files.begin(), files.end(),
                                      [](const auto& file) { return file.extension() == ".fascicle"; });
-    if (state_.show_start && !project)
+    if (project && files.size() == 1)
+        open_project(c, files.front());
+    else if (state_.show_start && !project)
         start_with_meshes(c, files);
     else
         features_->loader.drop(files);

@@ -46,6 +46,8 @@ std::string key_name(int key) {
         return "End";
     case key_equal:
         return "+";
+    case key_pad_enter:
+        return "Num Enter";
     case key_tab:
         return "Tab";
     case key_enter:
@@ -116,7 +118,9 @@ std::string set_user_keys(const std::string& id, const std::vector<KeyChord>& ch
 }
 
 void reset_user_keys() {
-    rows_in_force() = make_bindings();
+    const std::vector<KeyBinding> own = make_bindings(); // rows stay where they are: others point at them
+    for (std::size_t i = 0; i < own.size(); ++i)
+        rows_in_force()[i].chords = own[i].chords;
 }
 
 std::optional<KeyChord> parse_chord(std::string_view text) {
@@ -137,8 +141,11 @@ std::optional<KeyChord> parse_chord(std::string_view text) {
             if (take(prefix))
                 *held = more = true;
     }
+    if (text.empty())
+        return std::nullopt;
     for (int key = 1; key < 350; ++key) {
-        const bool printable = key > 32 && key < 127 && std::islower(key) == 0;
+        const bool printable =
+            key > 32 && key < 127 && std::islower(key) == 0 && key != '+'; // the key is "="
         if ((printable || key == key_space || key >= key_escape) && key_name(key) == text) {
             chord.key = key;
             return chord;

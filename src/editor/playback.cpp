@@ -39,7 +39,10 @@ std::pair<int, int> played_range(const Playback& playback, int last_frame) {
 
 void advance(Playback& playback, double seconds, double frame_time, int available, int last_frame,
              bool coming) {
-    playback.position = std::clamp(playback.position, 0.0, double(std::max(0, last_frame)) + almost_one);
+    const double last = std::max(0, last_frame);
+    if (!(playback.position < last + 1))
+        playback.position = last;
+    playback.position = std::max(playback.position, 0.0);
     if (!playback.playing)
         return;
     const auto [low, high] = played_range(playback, last_frame);

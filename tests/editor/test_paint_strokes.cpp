@@ -117,6 +117,9 @@ TEST_CASE("Esc during a stroke restores the area, then leaves the tool", "[edito
     CHECK_FALSE(d.document().has_uncommitted_edits());
     d.paint_at(middle);
     CHECK(d.steps() == before + 1);
+    d.key(key_escape); // the job first: a run is under way
+    CHECK(d.state().tool == Tool::paint);
+    CHECK_FALSE(d.editor().runs().running());
     d.key(key_escape);
     CHECK(d.state().tool == Tool::look);
     CHECK_FALSE(d.painted().empty());
@@ -212,7 +215,12 @@ TEST_CASE("The radius is a length on the surface, whatever the zoom, in pixel mo
     d.key(key_z, ctrl);
     d.wheel("viewport", 3);
     d.paint_at(middle);
-    CHECK(d.painted() == far);
+    const std::vector<int> close = d.painted(); // the pointer's pixel is another place of the surface
+    std::vector<int> differing;
+    std::set_symmetric_difference(far.begin(), far.end(), close.begin(), close.end(),
+                                  std::back_inserter(differing));
+    CHECK(far.size() > 60);
+    CHECK(differing.size() < far.size() / 5);
     d.key(key_z, ctrl);
     d.click("paint/pixels");
     d.settings().radius_px = 30;

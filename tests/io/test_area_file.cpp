@@ -14,6 +14,8 @@
 #include "support/data_dir.hpp"
 #include "support/temp_dir.hpp"
 
+#include "fascicle/io/load_scene.hpp"
+
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -155,6 +157,8 @@ TEST_CASE("a project keeps areas, and leaves those out whose bone was replaced",
         bone.source.path = (dir.path() / (bone.name + ".obj")).string();
         data.mesh = *bone.mesh;
         write_mesh_file(bone.source.path, data);
+        std::vector<std::string> none;
+        bone.source = load_bone(bone.source.path, none).source; // with its hash: named, not carried
     }
     scene.muscles[0].source.path = (dir.path() / "strap.obj").string();
     data.mesh = *scene.muscles[0].mesh;

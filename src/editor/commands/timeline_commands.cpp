@@ -17,12 +17,12 @@ void step(EditorContext& context, int frames) {
 void play_pause(EditorContext& context) {
     Playback& playback = context.state.playback;
     playback.playing = !playback.playing;
-    if (!playback.playing || context.runs.running())
+    if (!playback.playing)
         return;
     const auto [low, high] = played_range(playback, context.last_frame());
     const int end = std::min(high, context.runs.available_count() - 1);
     playback.turned = false;
-    if (playback.speed > 0 && context.playhead() >= end)
+    if (playback.speed > 0 && context.playhead() >= end && !context.runs.running()) // else more frames come
         playback.position = low;
     if (playback.speed < 0 && context.playhead() <= low)
         playback.position = end;
