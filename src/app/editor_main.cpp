@@ -2,6 +2,7 @@
 
 #include "app/cli/options.hpp"
 #include "app/cli/source_options.hpp"
+#include "app/item_file.hpp"
 #include "app/window.hpp"
 #include "editor/editor.hpp"
 #include "editor/features.hpp"
@@ -37,6 +38,7 @@ struct EditorCommandLine {
     int quit_after = 0;
     bool start = false; ///< the start page first
     bool measure = false;
+    std::string items;   ///< file for the places of widgets, for tests
     std::string screens; ///< folder to write pictures of the screens into
     std::vector<std::string> only;
     std::string screen_size = "1280x800";
@@ -98,7 +100,8 @@ Beginning load_scene_to_edit(EditorCommandLine& options) {
 }
 
 /// One picture after the other; sleeps while nothing changes.
-void run_window(Window& window, editor::Editor& program, render::ImguiRenderer& renderer, int quit_after) {
+void run_window(Window& window, editor::Editor& program, render::ImguiRenderer& renderer, int quit_after,
+                ItemFile& items) {
     bool full_screen = false;
     double last = seconds_now(), last_activity = last;
     std::string title;
@@ -140,6 +143,7 @@ void run_window(Window& window, editor::Editor& program, render::ImguiRenderer& 
         render::gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
         render::gl::Viewport(0, 0, width, height);
         renderer.draw(ImGui::GetDrawData());
+        items.write();
         window.update_cursor();
         window.swap();
         if (full_screen != program.state().wants_full_screen) {
@@ -188,7 +192,8 @@ int run_editor(EditorCommandLine& options) {
     program.state().playback.playing = !begin.show_start; // the first run is watched as it comes
     window.connect(program.input(),
                    [&](std::vector<std::filesystem::path> files) { program.drop_files(files); });
-    run_window(window, program, renderer, options.quit_after);
+    ItemFile items(options.items);
+    run_window(window, program, renderer, options.quit_after, items);
     return 0;
 }
 
@@ -206,6 +211,8 @@ int parse_and_run(int argc, char** argv) {
                "Size of text and controls, 0.75 to 3 (default: the monitor's)");
     add_whole(app, "--quit-after", options.quit_after, 1, 1000000000, "N",
               "Closes after N pictures; for tests");
+    app.add_option("--write-items", options.items,
+                   "Writes names and places of the widgets into this file when they change; for tests");
     app.add_option("--screens", options.screens,
                    "Draws the main screens into this folder as PNG and ends; needs no display");
     app.add_option("--only", options.only, "Of --screens: these alone, by name");

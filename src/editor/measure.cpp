@@ -78,6 +78,9 @@ public:
         target_.resolve();
     }
 
+    /// Waits for the rasteriser's threads, which go on behind the calls.
+    void finish_drawing() { target_.read_back(); }
+
     /// Calls `before(k)` and draws, `count` times, taking the times.
     template <typename Before>
     FrameCost measure(const char* what, int count, Before before) {
@@ -172,6 +175,7 @@ EditorCost measure_editor(const JobControl& control) {
         // Idle: what the loop of the window does when nothing is wanted is sleep.
         for (int i = 0; i < 40 && editor.next_redraw(); ++i)
             bench.frame();
+        bench.finish_drawing();
         cost.idle_redraw = editor.next_redraw();
         const double start = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
         constexpr double seconds = 2;

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Opens the real editor in a virtual display: it draws, takes a key press, writes a picture and ends with 0.
+"""Opens the real editor in a virtual display: it draws, takes a key press, writes a picture and ends with 0; then a small piece
+of work from the start page to a saved project.
 
 Usage: window_smoke.py FASCICLE_EDITOR. Prints "fascicle-skip: reason" where there is no virtual display.
 """
@@ -89,6 +90,66 @@ def key_and_picture(editor, environment, folder):
             program.kill()
 
 
+def workflow(editor, environment, folder):
+    """Start page, a scene by a click, a parameter by a command, a marker, a project saved and simulated: what a person does."""
+    user = Path(folder) / "user"
+    environment = dict(environment, FASCICLE_USER=str(user))
+
+    def xdotool(*arguments):
+        return subprocess.run(["xdotool", *arguments], env=environment, capture_output=True, text=True, timeout=LIMIT)
+
+    def press(*keys):
+        for key in keys:
+            xdotool("keydown", key)
+        time.sleep(0.15)
+        for key in reversed(keys):
+            xdotool("keyup", key)
+        time.sleep(0.25)
+
+    def click(window, x, y):
+        xdotool("mousemove", "--window", window, str(x), str(y))
+        time.sleep(0.2)
+        xdotool("mousedown", "1")
+        time.sleep(0.15)
+        xdotool("mouseup", "1")
+        time.sleep(0.3)
+
+    items = Path(folder) / "items.txt" # where the program says its widgets are
+    program = subprocess.Popen([editor, "--start", "--write-items", str(items)], env=environment, cwd=folder)
+
+    def place(name):
+        def find():
+            if items.exists():
+                for line in items.read_text().splitlines():
+                    key, x0, y0, x1, y1 = line.rsplit("\t", 4)
+                    if key == name:
+                        return (float(x0) + float(x1)) / 2, (float(y0) + float(y1)) / 2
+            return None
+        return wait_for(name, find)
+
+    try:
+        window = wait_for("the window", lambda: xdotool("search", "--name", "fascicle").stdout.split())[0]
+        time.sleep(1)
+        xdotool("windowfocus", "--sync", window)
+        click(window, *place("start/scene/cylinder"))
+        place("tree/strap")
+        press("m") # a marker at the playhead
+        click(window, *place("timeline/last"))
+        press("ctrl", "s")
+        place("save/save")
+        click(window, *place("save/save"))
+        saved = wait_for("the project", lambda: list(Path(folder).glob("*.fascicle")))[0]
+        assert '"Marker 1"' in saved.read_text(), saved.read_text()[:400]
+        press("ctrl", "q")
+        code = program.wait(LIMIT)
+        assert code == 0, f"exit {code}"
+    finally:
+        if program.poll() is None:
+            program.kill()
+    assert saved.name in (user / "recent.json").read_text()
+    assert not list((user / "autosave").glob("*")), "a clean end leaves no copies"
+
+
 def no_display(editor, folder):
     environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
     done = subprocess.run([editor, "--scene", "cylinder"], env=environment, cwd=folder, timeout=LIMIT, capture_output=True, text=True)
@@ -109,6 +170,8 @@ def main():
             environment.pop("WAYLAND_DISPLAY", None)
             frames_and_exit(editor, environment, folder)
             key_and_picture(editor, environment, folder)
+            with tempfile.TemporaryDirectory() as other:
+                workflow(editor, environment, other)
         finally:
             server.terminate()
             server.wait()
