@@ -366,6 +366,7 @@ void Compare::document_replaced(EditorContext&) {
     pair_a_ = pair_b_ = nullptr;
     key_ = {};
     measured_.clear();
+    metrics_a_ = metrics_b_ = nullptr;
     reason_ = pair_reason_ = "there is no run yet";
 }
 

@@ -150,6 +150,9 @@ void Editor::handle_keys() {
             }
             continue; // nothing else touches the scene before the button comes up
         }
+        if (document_.has_uncommitted_edits() && ImGui::IsAnyMouseDown() && row->command != Command::escape &&
+            row->command != Command::undo)
+            continue; // a drag is one step of its own
         if (row->command == Command::escape && document_.has_uncommitted_edits())
             ImGui::ClearActiveID(); // the drag ends here, whatever the mouse does
         state_.last_command = static_cast<int>(row->command);
@@ -185,6 +188,15 @@ void Editor::take_opened_scene() {
     std::optional<OpenedScene> opened = features_->opener.take();
     if (!opened)
         return;
+    const bool changed = document_.has_uncommitted_edits() || document_.head() != opened->asked_head;
+    if (opened->document == nullptr && opened->asked_head != nullptr && changed && document_.dirty()) {
+        // Work went on while it was read: asked again before that is lost.
+        const auto kept = std::make_shared<OpenedScene>(std::move(*opened));
+        kept->asked_head = nullptr;
+        dialogs_->unsaved.ask("opening " + kept->scene.name,
+                              [kept](EditorContext& c) { c.features.opener.open_scene(std::move(*kept)); });
+        return;
+    }
     for (const std::string& note : opened->notes)
         log_.add(Severity::note, note);
     const bool back = opened->document != nullptr; // what was set aside, with its undo history

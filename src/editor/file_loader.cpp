@@ -176,8 +176,8 @@ void FileLoader::finish() {
 
 void FileLoader::update(EditorContext& context) {
     std::erase_if(given_up_, [](const std::unique_ptr<Job>& job) { return job->done(); });
-    if (jobs_.empty() || !jobs_.front()->done())
-        return;
+    if (jobs_.empty() || !jobs_.front()->done() || context.document.has_uncommitted_edits())
+        return; // not into the middle of a drag
     const std::unique_ptr<Job> job = std::move(jobs_.front());
     jobs_.pop_front();
     try {

@@ -167,6 +167,7 @@ void MetricsWorker::finish() {
 
 std::string MetricsWorker::take_error() {
     const std::lock_guard lock(mutex_);
+    failed_ = failed_ || !error_.empty();
     return std::exchange(error_, {});
 }
 
@@ -268,6 +269,8 @@ void MetricsWorker::work() {
         if (!error.empty()) {
             error_ = error;
             wanted_ = recording = nullptr;
+            engine.reset();
+            stale_ = false;
         } else {
             fresh_.push_back(std::move(frame));
             measured_ = ++next;

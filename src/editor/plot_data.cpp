@@ -2,6 +2,7 @@
 
 #include "editor/frame_axis.hpp"
 #include "fascicle/base/error.hpp"
+#include "fascicle/document/actions/timeline_actions.hpp"
 #include "fascicle/metrics/moment_arm.hpp"
 
 #include <algorithm>
@@ -106,8 +107,18 @@ PlotData::~PlotData() = default; // a future of std::async waits for its thread
 void PlotData::update(EditorContext& context) {
     const ScenePtr head = context.document.head();
     if (head != scene_) {
+        // A name or a parameter moves no line muscle; measuring them takes time.
+        const auto same_bone = [](const Bone& x, const Bone& y) {
+            return x.name == y.name && x.mesh == y.mesh;
+        };
+        const bool same_lines = scene_ != nullptr && scene_->line_muscles == head->line_muscles &&
+                                scene_->unit == head->unit &&
+                                actions::same_timeline(scene_->timeline, head->timeline) &&
+                                std::equal(scene_->bones.begin(), scene_->bones.end(), head->bones.begin(),
+                                           head->bones.end(), same_bone);
         scene_ = head;
-        lines_ = line_series(*head);
+        if (!same_lines)
+            lines_ = line_series(*head);
         std::vector<double> angles;
         for (int k = 0; k <= head->timeline.last_frame; ++k)
             angles.push_back(head->timeline.angle_rad(k));

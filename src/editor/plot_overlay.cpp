@@ -14,7 +14,7 @@ namespace fascicle::editor {
 namespace {
 
 constexpr std::size_t most_bytes = std::size_t{64} << 20;
-constexpr std::size_t most_curves = 64;
+constexpr std::size_t most_curves = 64, most_rows = 100000;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 bool ends_with(const std::string& text, const char* end) {
@@ -58,7 +58,10 @@ PlotOverlay read_overlay(const std::filesystem::path& file, const std::string& p
                     "2 to " + std::to_string(most_curves + 1));
     for (std::size_t c = 1; c < csv.columns().size(); ++c)
         overlay.curves.push_back({csv.columns()[c], {}, {}});
+    std::size_t rows = 0;
     while (csv.next_row()) {
+        if (++rows > most_rows)
+            throw_error(file.string(), "too many rows", "at most " + std::to_string(most_rows));
         const double x = csv.number(0) * factor;
         for (std::size_t c = 0; c < overlay.curves.size(); ++c) {
             const int column = static_cast<int>(c) + 1;

@@ -1,6 +1,7 @@
 #include "editor/run_manager.hpp"
 
 #include "fascicle/base/assert.hpp"
+#include "fascicle/document/actions/timeline_actions.hpp"
 
 #include <algorithm>
 
@@ -32,23 +33,8 @@ bool same_problem(const Scene& a, const Scene& b) {
                           same_outline) &&
                x.areas == y.areas;
     };
-    const auto same_key = [](const PoseKey& p, const PoseKey& q) {
-        return p.frame == q.frame && p.pose.rotation == q.pose.rotation &&
-               p.pose.translation == q.pose.translation;
-    };
-    const auto same_track = [&](const BoneTrack& x, const BoneTrack& y) {
-        return std::equal(x.keys.begin(), x.keys.end(), y.keys.begin(), y.keys.end(), same_key);
-    };
-    const auto same_angle = [](const AngleKey& x, const AngleKey& y) {
-        return x.frame == y.frame && x.angle_rad == y.angle_rad;
-    };
-    const Timeline& s = a.timeline;
-    const Timeline& t = b.timeline;
     return same_bodies(a, b) && a.unit == b.unit && a.parameters == b.parameters &&
-           s.last_frame == t.last_frame &&
-           std::equal(s.angles.begin(), s.angles.end(), t.angles.begin(), t.angles.end(), same_angle) &&
-           std::equal(s.bone_tracks.begin(), s.bone_tracks.end(), t.bone_tracks.begin(), t.bone_tracks.end(),
-                      same_track) &&
+           actions::same_timeline(a.timeline, b.timeline) &&
            std::equal(a.muscles.begin(), a.muscles.end(), b.muscles.begin(), b.muscles.end(), same_muscle);
 }
 
@@ -116,8 +102,10 @@ void RunManager::update(const ScenePtr& head, bool held, double now) {
 
 void RunManager::begin(double now) {
     if (recording_ != nullptr) {
-        const bool older_is_longer = previous_ != nullptr && count(previous_) > count(recording_) &&
-                                     same_bodies(previous_->scene(), *head_);
+        const bool older_is_longer =
+            previous_ != nullptr && count(previous_) > count(recording_) &&
+            same_bodies(previous_->scene(), *head_) &&
+            (!same_problem(recording_->scene(), *head_) || same_problem(previous_->scene(), *head_));
         if (!older_is_longer)
             previous_ = recording_;
     }

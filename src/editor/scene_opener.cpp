@@ -32,6 +32,7 @@ void SceneOpener::start(std::string what, std::function<Result(const JobControl&
     ready_.reset();
     missing_.reset();
     problem_.clear();
+    asked_head_ = nullptr;
     what_ = std::move(what);
     job_ = std::make_unique<Job>();
     job_->result = std::async(std::launch::async, [job = job_.get(), read = std::move(read)] {
@@ -116,14 +117,17 @@ void SceneOpener::finish() {
 
 void SceneOpener::update(EditorContext& context) {
     std::erase_if(given_up_, [](const std::unique_ptr<Job>& job) { return job->done(); });
+    if (job_ != nullptr && asked_head_ == nullptr)
+        asked_head_ = context.document.head();
     if (job_ == nullptr || !job_->done())
         return;
     const std::unique_ptr<Job> job = std::move(job_);
     try {
         Result result = job->result.get();
-        if (result.missing.files.empty())
+        if (result.missing.files.empty()) {
             ready_ = std::move(result.opened);
-        else
+            ready_->asked_head = asked_head_;
+        } else
             missing_ = std::move(result.missing);
     } catch (const std::exception& problem) {
         problem_ = problem.what();

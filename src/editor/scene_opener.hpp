@@ -22,6 +22,8 @@ struct OpenedScene {
     bool unsaved = false;                   ///< it is in no file as it is here
     std::filesystem::path recovered_from{}; ///< folder of the session whose copy it is
     bool start_page = false;                ///< the start page stays in front
+    /// What was open when it was asked for: a later change of that asks again. Null: nothing to compare with.
+    ScenePtr asked_head{};
 };
 
 /// A project whose files are not all where it says; asked about by the locate dialog.
@@ -73,6 +75,7 @@ private:
     void start(std::string what, std::function<Result(const JobControl&)> read);
     std::unique_ptr<Job> job_;
     std::vector<std::unique_ptr<Job>> given_up_; ///< told to stop, waited for without blocking
+    ScenePtr asked_head_;                        ///< of the document when the job began
     std::optional<OpenedScene> ready_;
     std::optional<MissingFiles> missing_;
     std::string what_, problem_;

@@ -134,4 +134,12 @@ JsonFields JsonFields::object(const char* key) const {
     return {*value, file_, path_.empty() ? key : path_ + "." + key};
 }
 
+void JsonFields::require_format(const std::string& format, int newest) const {
+    if (text("format") != format)
+        fail("format", has("format") ? "got '" + text("format") + "'" : "missing", "\"" + format + "\"");
+    if (const int version = integer("version", 1); version < 1 || version > newest)
+        fail("version", "got " + std::to_string(version),
+             newest == 1 ? "1" : "1 to " + std::to_string(newest));
+}
+
 } // namespace fascicle::io

@@ -34,6 +34,8 @@ public:
     /// Object of a field, which must be there.
     JsonFields object(const char* key) const;
     const Json& json() const { return *json_; }
+    /// Error unless the field `format` is this one and `version` (1 when missing) is 1 to `newest`.
+    void require_format(const std::string& format, int newest) const;
 
     [[noreturn]] void fail(const std::string& key, const std::string& what,
                            const std::string& expected = {}) const;

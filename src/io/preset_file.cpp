@@ -36,12 +36,7 @@ std::string short_value(const ParamRow& row, double value) {
 Preset parse_preset(std::string_view bytes, const std::string& file) {
     const io::Json json = io::parse_json_object(bytes, file);
     const io::JsonFields fields(json, file, "");
-    if (fields.text("format") != format_name)
-        fields.fail("format", fields.has("format") ? "got '" + fields.text("format") + "'" : "missing",
-                    std::string("\"") + format_name + "\"");
-    if (const int version = fields.integer("version", newest_version);
-        version < 1 || version > newest_version)
-        fields.fail("version", "got " + std::to_string(version), "1");
+    fields.require_format(format_name, newest_version);
     Preset preset;
     preset.key = fields.text("key", fs::path(file).stem().string());
     if (preset.key.empty())

@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 
 namespace fascicle::io {
 namespace {
@@ -13,6 +14,8 @@ void read_keys(const std::vector<JsonFields>& entries, std::vector<Key>& keys, A
     for (const JsonFields& entry : entries) {
         Key key;
         key.frame = entry.number("frame", 0.0);
+        if (!(std::abs(key.frame) <= 3e6))
+            entry.fail("frame", "out of range", "-3000000 to 3000000");
         if (!keys.empty() && key.frame <= keys.back().frame)
             entry.fail("frame", "keys are not in ascending order", "ascending frames");
         add(entry, key);

@@ -110,6 +110,10 @@ void RunReader::read_summary() {
 
 void RunReader::read_motion() {
     const auto count = static_cast<std::size_t>(frames_.back()) + 1;
+    if (count * std::max<std::size_t>(1, scene_->bones.size()) > 20'000'000)
+        throw_error(folder_.string(),
+                    std::to_string(count) + " frames of " + std::to_string(scene_->bones.size()) + " bones",
+                    "at most 20 million poses");
     poses_.assign(count, std::vector<Pose>(scene_->bones.size()));
     const fs::path path = folder_ / "motion.csv";
     const std::string bytes = read_file(path);

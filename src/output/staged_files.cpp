@@ -1,9 +1,12 @@
 #include "output/staged_files.hpp"
 
 #include "fascicle/base/error.hpp"
+#include "fascicle/scene/line_muscles.hpp"
 
 #include <algorithm>
 #include <atomic>
+#include <cstdlib>
+#include <map>
 #include <set>
 #include <unistd.h>
 #include <utility>
@@ -26,6 +29,8 @@ std::set<fs::path> inputs_of(const Scene& scene) {
             inputs.insert(resolved(source.path));
     };
     add(scene.motion_source);
+    if (scene.line_muscles != nullptr)
+        add(scene.line_muscles->source);
     for (const Bone& bone : scene.bones)
         add(bone.source);
     for (const Muscle& muscle : scene.muscles) {
@@ -64,6 +69,14 @@ std::vector<fs::path> files_below(const fs::path& folder) {
 
 [[noreturn]] void fail(const fs::path& path, const std::string& what, const std::error_code& error) {
     throw_error(path.string(), what + " (" + error.message() + ")", "a folder that can be written to");
+}
+
+/// The number of a file of that series.
+long number_in(const fs::path& file, const SeriesName& name) {
+    const std::string text = file.string(); // name.begin has the folder, too
+    return std::strtol(
+        text.substr(name.begin.size(), text.size() - name.begin.size() - name.end.size()).c_str(), nullptr,
+        10);
 }
 
 } // namespace
@@ -106,14 +119,14 @@ StagedFiles::~StagedFiles() {
 void StagedFiles::commit(const Scene& scene) {
     const std::vector<fs::path> files = files_below(place_);
     const std::set<fs::path> inputs = inputs_of(scene);
-    std::set<SeriesName> series;
+    std::map<SeriesName, long> last; // number of each series that was written
     std::set<fs::path> folders;
     for (const fs::path& file : files) {
         if (inputs.count(resolved(folder_ / file)) > 0)
             throw_error((folder_ / file).string(), "the scene was read from this file", "another folder",
                         ErrorKind::usage);
         if (const SeriesName name = series_name(file); !name.end.empty())
-            series.insert(name);
+            last[name] = std::max(last[name], number_in(file, name));
         folders.insert(file.parent_path());
     }
     std::error_code error;
@@ -130,7 +143,10 @@ void StagedFiles::commit(const Scene& scene) {
         for (fs::directory_iterator it(folder_ / folder, error), end; !error && it != end;
              it.increment(error)) {
             const fs::path file = folder / it->path().filename();
-            if (series.count(series_name(file)) > 0 &&
+            // What an earlier, longer series left behind the new one; not what lies before it.
+            const SeriesName name = series_name(file);
+            const auto found = last.find(name);
+            if (found != last.end() && number_in(file, name) > found->second &&
                 !std::binary_search(files.begin(), files.end(), file) &&
                 inputs.count(resolved(folder_ / file)) == 0)
                 stale.push_back(file);

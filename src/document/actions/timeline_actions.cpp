@@ -16,6 +16,8 @@ bool nearly_same(const Pose& a, const Pose& b) {
     return (a.rotation - b.rotation).norm() < 1e-6 && (a.translation - b.translation).norm() < 1e-6 * reach;
 }
 
+} // namespace
+
 bool same_timeline(const Timeline& a, const Timeline& b) {
     const auto same_angle = [](const AngleKey& x, const AngleKey& y) {
         return x.frame == y.frame && x.angle_rad == y.angle_rad;
@@ -35,8 +37,6 @@ bool same_timeline(const Timeline& a, const Timeline& b) {
            std::equal(a.bone_tracks.begin(), a.bone_tracks.end(), b.bone_tracks.begin(), b.bone_tracks.end(),
                       same_track);
 }
-
-} // namespace
 
 void set_hinge(Document& document, const Hinge& hinge, double angle_rad, const Phases& phases,
                const std::vector<int>& moving) {

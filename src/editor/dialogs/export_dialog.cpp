@@ -1,6 +1,7 @@
 #include "editor/dialogs/export_dialog.hpp"
 
 #include "editor/dialogs/export_facts.hpp"
+#include "editor/dialogs/modal.hpp"
 #include "editor/features.hpp"
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/paint.hpp"
@@ -140,18 +141,11 @@ void ExportDialog::draw(EditorContext& context) {
         fail(context, failure->request, failure->text);
     if (!open_)
         return;
-    if (appears_) {
-        ImGui::OpenPopup(popup_name);
-        appears_ = false;
-    }
-    const ImVec2 window = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowSize(
-        {std::min(window.x * 0.94f, context.px(820)), std::min(window.y * 0.92f, context.px(540))});
-    ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
     bool keep = true;
-    if (!ImGui::BeginPopupModal(popup_name, &keep,
-                                ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoSavedSettings)) {
+    const bool opening = appears_;
+    if (!begin_modal(context, popup_name, appears_, 820, 540, &keep)) {
+        if (opening)
+            return;    // another one is in front
         open_ = false; // Esc closed it
         return;
     }

@@ -171,7 +171,11 @@ std::string replace_warning(const fs::path& target, ExportKind kind) {
                    ? ""
                    : name + " exists; files of the same names in it will be replaced.";
     return is_folder ? name + " exists and is a folder; a file is needed."
-                     : name + " exists and will be replaced.";
+                     : name + " exists and will be replaced" +
+                           (target.extension() == ".csv" &&
+                                    fs::exists(fs::path(target).replace_extension(".json"), error)
+                                ? ", and the .json beside it."
+                                : ".");
 }
 
 std::string export_name(const std::string& scene) {

@@ -14,7 +14,8 @@ constexpr float button_width = 124, button_gap = 8;
 
 } // namespace
 
-bool begin_modal(const EditorContext& context, const char* title, bool& appears, float width, float height) {
+bool begin_modal(const EditorContext& context, const char* title, bool& appears, float width, float height,
+                 bool* keep) {
     if (appears && ImGui::GetTopMostPopupModal() == nullptr) { // one question after the other
         ImGui::OpenPopup(title);
         appears = false;
@@ -23,9 +24,8 @@ bool begin_modal(const EditorContext& context, const char* title, bool& appears,
     ImGui::SetNextWindowSize({std::min(window.x * 0.94f, context.px(width)),
                               height == 0 ? 0 : std::min(window.y * 0.92f, context.px(height))});
     ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-    return ImGui::BeginPopupModal(title, nullptr,
-                                  ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                      ImGuiWindowFlags_NoSavedSettings);
+    return ImGui::BeginPopupModal(
+        title, keep, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
 }
 
 void wrapped_text(ImU32 colour, const std::string& text) {

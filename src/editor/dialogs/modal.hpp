@@ -7,7 +7,9 @@ namespace fascicle::editor {
 
 /// A modal window in the middle, width x height at scale 1 (height 0: as high as its content), never larger than the
 /// screen. `appears` opens it, once no other is open, and is cleared. End with ImGui::EndPopup() when it returns true.
-bool begin_modal(const EditorContext& context, const char* title, bool& appears, float width, float height);
+/// keep: with a cross in the title bar, which makes it false; null: without.
+bool begin_modal(const EditorContext& context, const char* title, bool& appears, float width, float height,
+                 bool* keep = nullptr);
 void wrapped_text(ImU32 colour, const std::string& text);
 /// Puts the next `count` buttons at the right end.
 void button_row(const EditorContext& context, int count);

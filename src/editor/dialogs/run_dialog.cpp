@@ -1,5 +1,6 @@
 #include "editor/dialogs/run_dialog.hpp"
 
+#include "editor/dialogs/modal.hpp"
 #include "editor/features.hpp"
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/tool_button.hpp"
@@ -23,18 +24,11 @@ void RunDialog::open() {
 void RunDialog::draw(EditorContext& context) {
     if (!open_)
         return;
-    if (appears_) {
-        ImGui::OpenPopup(popup_name);
-        appears_ = false;
-    }
-    const ImVec2 window = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowSize(
-        {std::min(window.x * 0.94f, context.px(620)), std::min(window.y * 0.92f, context.px(460))});
-    ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
     bool keep = true;
-    if (!ImGui::BeginPopupModal(popup_name, &keep,
-                                ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoSavedSettings)) {
+    const bool opening = appears_;
+    if (!begin_modal(context, popup_name, appears_, 620, 460, &keep)) {
+        if (opening)
+            return;    // another one is in front
         open_ = false; // Esc closed it
         return;
     }

@@ -35,6 +35,10 @@ bool same_fibres(const Scene& a, const Scene& b) {
     for (const char* key : keys)
         if (a.parameters.get(key) != b.parameters.get(key))
             return false;
+    // Which end of a muscle is its insertion depends on what moves.
+    for (int i = 0; i < static_cast<int>(std::min(a.bones.size(), b.bones.size())); ++i)
+        if (a.timeline.moves(i) != b.timeline.moves(i))
+            return false;
     const auto same_muscle = [](const Muscle& x, const Muscle& y) {
         return x.name == y.name && x.surface_fibres == y.surface_fibres &&
                x.fibre_template == y.fibre_template && x.attach_automatically == y.attach_automatically &&

@@ -13,6 +13,10 @@ namespace fascicle::editor {
 AutosaveKeeper::~AutosaveKeeper() = default; // the future waits
 
 void AutosaveKeeper::restored(std::filesystem::path folder) {
+    if (writing_.valid()) { // a copy of what was open before says nothing of what was restored
+        writing_.wait();
+        writing_ = {};
+    }
     restored_ = std::move(folder);
 }
 

@@ -1,5 +1,7 @@
 #include "editor/project/source_watch.hpp"
 
+#include "editor/features.hpp"
+
 #include "editor/dialogs/dialogs.hpp"
 #include "fascicle/base/state_hash.hpp"
 #include "fascicle/document/actions/project_actions.hpp"
@@ -42,10 +44,14 @@ void SourceWatch::project_is(const fs::path& path, const std::string& text) {
     const std::lock_guard lock(mutex_);
     project_ = path.empty() ? std::string() : fs::absolute(path, error).string();
     project_hash_ = hash_of(text);
+    std::erase(changed_, project_);
     files_stale_ = true;
 }
 
 void SourceWatch::document_replaced(EditorContext&) {
+    if (reading_.valid()) // of the scene before: nobody wants it any more
+        given_up_.push_back(std::move(reading_));
+    wanted_.clear();
     const std::lock_guard lock(mutex_);
     changed_.clear();
     project_.clear();
@@ -90,6 +96,8 @@ void SourceWatch::look() {
         if (it == files_.end() || it->second != known)
             continue;
         it->second.second = *now;
+        if (path == project_ && hash == project_hash_)
+            continue; // just saved from here
         if (hash != known.first && std::count(changed_.begin(), changed_.end(), path) == 0)
             changed_.push_back(path);
     }
@@ -141,6 +149,9 @@ void SourceWatch::poll_reading(EditorContext& context) {
 }
 
 void SourceWatch::update(EditorContext& context) {
+    std::erase_if(given_up_, [](const std::future<Reloaded>& old) {
+        return old.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    });
     poll_reading(context);
     std::vector<std::string> changed;
     std::string project;
@@ -155,7 +166,8 @@ void SourceWatch::update(EditorContext& context) {
             start_thread();
         // Not into the middle of a drag, and one question at a time.
         if (!changed_.empty() && !context.document.has_uncommitted_edits() && !reading_.valid() &&
-            !ImGui::IsAnyMouseDown() && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
+            !context.features.project.saving() && !ImGui::IsAnyMouseDown() &&
+            !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
             changed.swap(changed_);
             project = project_;
         }

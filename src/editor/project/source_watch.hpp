@@ -55,6 +55,7 @@ private:
     bool files_stale_ = true;
     std::vector<std::string> wanted_; ///< being read again
     std::future<Reloaded> reading_;
+    std::vector<std::future<Reloaded>> given_up_; ///< of documents before; waited for without blocking
     std::jthread thread_;
 };
 

@@ -44,8 +44,8 @@ std::string fault(const std::string& key, const std::string& text) {
     double number = 0;
     if (key == "colouring" && find_colouring(text) == nullptr)
         return "no colouring '" + text + "'";
-    if (key == "frame" && (!parse_number(text, number) || number < 0))
-        return "frame '" + text + "' is no number from 0";
+    if (key == "frame" && (!parse_number(text, number) || number < 0 || number > 3e6))
+        return "frame '" + text + "' is no number from 0 to 3000000";
     if (is_switch(key) && text != "on" && text != "off")
         return key + " '" + text + "' is neither on nor off";
     if (key == "side_panel" && !is_panel(text, Place::parameters))

@@ -5,6 +5,9 @@
 
 namespace fascicle::actions {
 
+/// Whether the bones move alike, about the same joint.
+bool same_timeline(const Timeline& a, const Timeline& b);
+
 /// The bones listed in `moving` turn about the hinge to angle_rad and back. Error (usage) on bad phases or an
 /// axis of length zero; the document is then as it was. Indices must be in range.
 void set_hinge(Document& document, const Hinge& hinge, double angle_rad, const Phases& phases,
