@@ -113,7 +113,7 @@ TEST_CASE("Loop, ping-pong and speed are chosen at the timeline", "[editor][ui][
     CHECK(d.state().playback.speed == -2);
     d.click("timeline/play"); // at frame 0, backwards: begins at the end
     d.frame(2);
-    CHECK(d.state().playback.playhead() > 50);
+    CHECK(d.state().playback.playhead() > 30);
     CHECK(d.state().playback.playing);
     d.editor().run(Command::toggle_every_frame);
     CHECK(d.state().playback.every_frame);
