@@ -8,13 +8,27 @@
 #include "editor/widgets/paint.hpp"
 #include "editor/widgets/tool_button.hpp"
 #include "fascicle/base/build_info.hpp"
+#include "fascicle/io/format_registry.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <utility>
 
 namespace fascicle::editor {
 
 namespace {
+
+/// "OBJ, VTK, VTP": what the readers know.
+const std::string& readable_formats() {
+    static const std::string text = [] {
+        std::string all;
+        for (const MeshFormat& format : mesh_formats())
+            for (const char c : (all.empty() ? "" : ", ") + format.extensions.front().substr(1))
+                all += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+        return all;
+    }();
+    return text;
+}
 
 using C = Command;
 
@@ -114,7 +128,7 @@ void StartPage::draw_drop_place(const EditorContext& context, float width, float
     draw_text_in(list, {{rect.min.x, middle - line * 1.25f}, {rect.max.x, middle - line * 0.25f}},
                  context.theme.text_dim, "Drop a mesh or a project here", Align::centre);
     draw_text_in(list, {{rect.min.x, middle + line * 0.1f}, {rect.max.x, middle + line * 1.1f}},
-                 context.theme.text_faint, "STL, OBJ, PLY, VTK, VTP", Align::centre);
+                 context.theme.text_faint, readable_formats(), Align::centre);
     ImGui::Dummy({width, height});
     record_item("start/drop");
 }
