@@ -3,6 +3,8 @@
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/paint.hpp"
 
+#include <algorithm>
+
 namespace fascicle::editor {
 
 namespace {
@@ -45,6 +47,28 @@ void draw_mouse(const EditorContext& context) {
     draw_line(context, "Right click", "Menu");
 }
 
+constexpr std::size_t mouse_lines = 8;
+
+/// The groups of the table that have a key, in its order.
+struct Group {
+    const char* name;
+    std::size_t lines; ///< with the heading
+};
+std::vector<Group> groups_with_keys() {
+    std::vector<Group> groups;
+    for (const KeyBinding& row : key_bindings()) {
+        if (row.chords[0].key == key_none)
+            continue;
+        const auto same = [&](const Group& group) { return std::string_view(group.name) == row.group; };
+        const auto it = std::find_if(groups.begin(), groups.end(), same);
+        if (it == groups.end())
+            groups.push_back({row.group, 2});
+        else
+            ++it->lines;
+    }
+    return groups;
+}
+
 } // namespace
 
 void draw_shortcut_sheet(EditorContext& context) {
@@ -52,7 +76,7 @@ void draw_shortcut_sheet(EditorContext& context) {
         return;
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowSize(
-        {std::min(window.x * 0.94f, context.px(920)), std::min(window.y * 0.92f, context.px(620))});
+        {std::min(window.x * 0.94f, context.px(960)), std::min(window.y * 0.94f, context.px(860))});
     ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowFocus();
     ImGui::PushStyleColor(ImGuiCol_WindowBg, context.theme.header);
@@ -67,16 +91,23 @@ void draw_shortcut_sheet(EditorContext& context) {
                                    ImGui::GetWindowPos().y + ImGui::GetWindowSize().y}});
         const int columns = ImGui::GetContentRegionAvail().x > context.px(600) ? 3 : 1;
         if (ImGui::BeginTable("sheet", columns)) {
+            const std::vector<Group> groups = groups_with_keys();
+            std::size_t lines = mouse_lines;
+            for (const Group& group : groups)
+                lines += group.lines;
+            // From the left to the right, a column about as long as the other.
+            std::size_t column = 0, used = 0;
             ImGui::TableNextColumn();
-            draw_group(context, "File");
-            draw_group(context, "Scene");
-            draw_group(context, "Edit");
-            draw_group(context, "Timeline");
-            ImGui::TableNextColumn();
-            draw_group(context, "View");
-            ImGui::TableNextColumn();
-            draw_group(context, "Show");
-            draw_group(context, "Window");
+            for (const Group& group : groups) {
+                const std::size_t most = (column + 1) * lines / static_cast<std::size_t>(columns);
+                if (used > 0 && used + group.lines / 2 > most &&
+                    column + 1 < static_cast<std::size_t>(columns)) {
+                    ImGui::TableNextColumn();
+                    ++column;
+                }
+                draw_group(context, group.name);
+                used += group.lines;
+            }
             draw_mouse(context);
             ImGui::EndTable();
         }
