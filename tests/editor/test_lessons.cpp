@@ -24,7 +24,9 @@ LessonPlayer& player(Driver& d) {
 /// Draws until a condition holds; things are made in the background.
 template <class Condition>
 void wait_for(Driver& d, Condition condition) {
-    for (int i = 0; i < 6000 && !condition(); ++i) {
+    const auto end =
+        std::chrono::steady_clock::now() + std::chrono::seconds(200); // a sanitizer makes scenes slowly
+    while (!condition() && std::chrono::steady_clock::now() < end) {
         d.frame();
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
