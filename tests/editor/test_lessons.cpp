@@ -246,7 +246,7 @@ TEST_CASE("The lesson on anisotropy, clicked through", "[editor][ui][lessons]") 
     go_through("anisotropy");
 }
 
-TEST_CASE("The lesson on contact, clicked through", "[editor][ui][lessons]") {
+TEST_CASE("The lesson on contact, clicked through", "[editor][ui][lessons][slow]") {
     go_through("contact");
 }
 
@@ -254,7 +254,8 @@ TEST_CASE("The lesson on moment arms, clicked through", "[editor][ui][lessons]")
     go_through("moment-arm");
 }
 
-TEST_CASE("The quiz, clicked through with two thirds of the true area painted", "[editor][ui][lessons]") {
+TEST_CASE("The quiz, clicked through with two thirds of the true area painted",
+          "[editor][ui][lessons][slow]") {
     go_through("quiz");
 }
 
