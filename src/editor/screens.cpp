@@ -8,6 +8,7 @@
 #include "fascicle/simulation/simulation.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace fascicle::editor {
 
@@ -94,6 +95,7 @@ void difference(ScreenStage& s) {
 }
 
 void exporting(ScreenStage& s) {
+    s.state().exporting.folder = std::filesystem::temp_directory_path(); // no picture shows where it was made
     s.run(C::export_run);
     s.frames(10);
 }
