@@ -38,4 +38,17 @@ inline CommandState checked(bool on) {
     return {true, on, {}};
 }
 
+/// A switch of the view state.
+template <bool EditorState::*member>
+KeyBinding switch_row(Command command, const char* label, const char* help, int key = key_none) {
+    return {command,
+            "Show",
+            label,
+            help,
+            {{{key}}},
+            false,
+            [](const EditorContext& c) { return checked(c.state.*member); },
+            [](EditorContext& c) { c.state.*member = !(c.state.*member); }};
+}
+
 } // namespace fascicle::editor

@@ -31,19 +31,6 @@ void show_display(EditorContext& context) {
     state.side_panel = there ? "parameters" : "display";
 }
 
-/// A switch of the view state without a key of its own, unless one is given.
-template <bool EditorState::*member>
-KeyBinding switch_row(Command command, const char* label, const char* help, int key = key_none) {
-    return {command,
-            "Show",
-            label,
-            help,
-            {{{key}}},
-            false,
-            [](const EditorContext& c) { return checked(c.state.*member); },
-            [](EditorContext& c) { c.state.*member = !(c.state.*member); }};
-}
-
 } // namespace
 
 std::vector<KeyBinding> display_commands() {

@@ -20,19 +20,6 @@ void hide_others(EditorContext& context) {
         hide(muscle.name);
 }
 
-/// A switch of the view state.
-template <bool EditorState::*member>
-KeyBinding switch_row(Command command, const char* label, const char* help, int key) {
-    return {command,
-            "Show",
-            label,
-            help,
-            {{{key}}},
-            false,
-            [](const EditorContext& c) { return checked(c.state.*member); },
-            [](EditorContext& c) { c.state.*member = !(c.state.*member); }};
-}
-
 } // namespace
 
 std::vector<KeyBinding> show_commands() {

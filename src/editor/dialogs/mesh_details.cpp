@@ -1,6 +1,7 @@
 // The right column of the mesh dialog: name, role, size, axes, and what is wrong with the surface.
 #include "editor/dialogs/mesh_dialog.hpp"
 
+#include "editor/dialogs/modal.hpp"
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/paint.hpp"
 #include "editor/widgets/tool_button.hpp"
@@ -22,17 +23,9 @@ std::string print(const char* format, Args... args) {
     return buffer;
 }
 
-void wrapped(ImU32 colour, const std::string& text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-}
-
 void heading(const EditorContext& context, const char* text) {
     ImGui::Dummy({1, context.px(5)});
-    wrapped(context.theme.text_faint, text);
+    wrapped_text(context.theme.text_faint, text);
 }
 
 std::string triple(const Vec3& v, const char* unit) {
@@ -74,20 +67,21 @@ std::vector<std::pair<bool, std::string>> findings(const MeshReport& r) {
 void MeshDialog::draw_details(EditorContext& context) {
     const Theme& theme = context.theme;
     if (selected_ < 0) {
-        wrapped(theme.text_dim, "Choose meshes of bones and muscles.");
-        wrapped(theme.text_faint, "A click on a file puts it into the list. Files can also be dropped on the "
-                                  "window, many at once.");
+        wrapped_text(theme.text_dim, "Choose meshes of bones and muscles.");
+        wrapped_text(theme.text_faint,
+                     "A click on a file puts it into the list. Files can also be dropped on the "
+                     "window, many at once.");
         return;
     }
     const MeshEntry entry = batch_.entries()[static_cast<std::size_t>(selected_)];
     if (!entry.problem.empty()) {
-        wrapped(theme.text, entry.path.filename().string());
-        wrapped(theme.bad, entry.problem);
+        wrapped_text(theme.text, entry.path.filename().string());
+        wrapped_text(theme.bad, entry.problem);
         return;
     }
     if (entry.read == nullptr) {
-        wrapped(theme.text, entry.path.filename().string());
-        wrapped(theme.text_faint, "Reading...");
+        wrapped_text(theme.text, entry.path.filename().string());
+        wrapped_text(theme.text_faint, "Reading...");
         return;
     }
     std::string name = entry.name;
@@ -97,8 +91,8 @@ void MeshDialog::draw_details(EditorContext& context) {
     record_item("mesh/name");
     item_tooltip("Name in the scene\nDefault: the file's name. One that is taken gets a number behind it.");
     const MeshReport& report = entry.surface().report;
-    wrapped(theme.text_faint, print("%s, %d vertices, %d triangles", entry.read->file.format.c_str(),
-                                    report.vertices, report.triangles));
+    wrapped_text(theme.text_faint, print("%s, %d vertices, %d triangles", entry.read->file.format.c_str(),
+                                         report.vertices, report.triangles));
     draw_role(context, entry);
     draw_size(context, entry);
     draw_axes(context, entry);
@@ -141,10 +135,10 @@ void MeshDialog::draw_size(EditorContext& context, const MeshEntry& entry) {
     const Scene& scene = context.document.scene();
     const double mm = entry.scale * millimetres_per_unit(scene.unit);
     heading(context, "Size");
-    wrapped(context.theme.text, triple(mm * entry.surface().box.size(), "mm"));
+    wrapped_text(context.theme.text, triple(mm * entry.surface().box.size(), "mm"));
     if (entry.surface().report.closed())
-        wrapped(context.theme.text_dim,
-                print("%.4g cm\xC2\xB3 enclosed", entry.surface().volume * std::pow(mm / 10, 3)));
+        wrapped_text(context.theme.text_dim,
+                     print("%.4g cm\xC2\xB3 enclosed", entry.surface().volume * std::pow(mm / 10, 3)));
     const float width = std::min(context.px(74), (ImGui::GetContentRegionAvail().x - 2 * context.px(6)) / 3);
     for (const double factor : {0.001, 1.0, 1000.0}) {
         if (factor != 0.001)
@@ -171,10 +165,10 @@ void MeshDialog::draw_size(EditorContext& context, const MeshEntry& entry) {
             ? "The file says that a unit is " + number_text(*entry.read->hints.millimetres) + " mm."
             : "Guessed from the size.";
     if (entry.scale_guessed)
-        wrapped(context.theme.warning,
-                "Coordinates times " + number_text(entry.scale) + ". " + why + " Please check.");
+        wrapped_text(context.theme.warning,
+                     "Coordinates times " + number_text(entry.scale) + ". " + why + " Please check.");
     else if (const auto unit = actions::guess_unit(*entry.read->surface.mesh); !unit)
-        wrapped(context.theme.warning, "Unusually large: please check the unit.");
+        wrapped_text(context.theme.warning, "Unusually large: please check the unit.");
 }
 
 void MeshDialog::draw_axes(EditorContext& context, const MeshEntry& entry) {
@@ -200,21 +194,22 @@ void MeshDialog::draw_axes(EditorContext& context, const MeshEntry& entry) {
     record_item("mesh/axes");
     item_tooltip(std::string(now->help) + "\nAll of these turn the mesh; none mirrors it.");
     if (entry.axes_guessed)
-        wrapped(context.theme.warning, "The file says SPACE=RAS. Please check.");
+        wrapped_text(context.theme.warning, "The file says SPACE=RAS. Please check.");
     else
-        wrapped(context.theme.text_faint, now->help);
+        wrapped_text(context.theme.text_faint, now->help);
 }
 
 void MeshDialog::draw_findings(EditorContext& context, const MeshEntry& entry) {
     const Theme& theme = context.theme;
     const MeshReport& report = entry.surface().report;
     heading(context, "Surface");
-    wrapped(report.closed() ? theme.good : theme.warning,
-            report.closed() ? "Closed: it encloses a volume" : "Open: it encloses no volume");
+    wrapped_text(report.closed() ? theme.good : theme.warning,
+                 report.closed() ? "Closed: it encloses a volume" : "Open: it encloses no volume");
     const std::string obstacle = entry.obstacle();
     if (!obstacle.empty())
-        wrapped(theme.bad, std::string("Cannot be a ") +
-                               (entry.role == MeshRole::bone ? "bone: it " : "muscle: it ") + obstacle + ".");
+        wrapped_text(theme.bad, std::string("Cannot be a ") +
+                                    (entry.role == MeshRole::bone ? "bone: it " : "muscle: it ") + obstacle +
+                                    ".");
     if (entry.read->filled) {
         bool fill = entry.fill;
         const HoleFilling& filling = entry.read->filling;
@@ -226,16 +221,16 @@ void MeshDialog::draw_findings(EditorContext& context, const MeshEntry& entry) {
         const std::string what = print("with %d triangles, %.2g %% of the surface", filling.triangles,
                                        100 * filling.added_area / filling.surface_area);
         item_tooltip("Closes the border " + what + ". No vertex is added or moved.");
-        wrapped(theme.text_faint, (fill ? "Filled " : "Possible ") + what + ".");
+        wrapped_text(theme.text_faint, (fill ? "Filled " : "Possible ") + what + ".");
     } else if (report.boundary_edges > 0 && entry.role == MeshRole::muscle) {
-        wrapped(theme.text_dim,
-                "The holes are too large or too tangled to be filled here: close the surface in "
-                "a mesh program, or add it as a bone.");
+        wrapped_text(theme.text_dim,
+                     "The holes are too large or too tangled to be filled here: close the surface in "
+                     "a mesh program, or add it as a bone.");
     }
     for (const auto& [serious, sentence] : findings(report))
-        wrapped(serious ? theme.warning : theme.text_dim, sentence);
+        wrapped_text(serious ? theme.warning : theme.text_dim, sentence);
     for (const std::string& note : entry.read->file.notes)
-        wrapped(theme.text_dim, note);
+        wrapped_text(theme.text_dim, note);
 }
 
 } // namespace fascicle::editor

@@ -1,5 +1,6 @@
 #include "editor/panels/motion.hpp"
 
+#include "editor/dialogs/modal.hpp"
 #include "editor/panels/panels.hpp"
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/paint.hpp"
@@ -14,11 +15,7 @@ constexpr float label_width = 82;
 }
 
 void say(ImU32 colour, const std::string& text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
+    wrapped_text(colour, text);
 }
 
 void heading(const EditorContext& context, const char* text) {
