@@ -1,5 +1,6 @@
 #include "editor/dialogs/mesh_preview.hpp"
 
+#include "editor/pointer_input.hpp"
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/paint.hpp"
 #include "editor/widgets/tool_button.hpp"
@@ -143,22 +144,7 @@ unsigned MeshPreview::texture(const EditorContext& context, const MeshBatch& bat
 }
 
 void MeshPreview::handle_pointer(const EditorContext& context, const Rect& area) {
-    const ImGuiIO& io = ImGui::GetIO();
-    PointerInput input;
-    input.x = double(io.MousePos.x - area.min.x);
-    input.y = double(io.MousePos.y - area.min.y);
-    input.dx = double(io.MouseDelta.x);
-    input.dy = double(io.MouseDelta.y);
-    input.wheel = double(io.MouseWheel != 0 ? io.MouseWheel : io.MouseWheelH);
-    input.ctrl = io.KeyCtrl;
-    input.shift = io.KeyShift;
-    input.inside = ImGui::IsItemHovered();
-    for (int button = 0; button < 3; ++button) {
-        if (input.inside && ImGui::IsMouseClicked(button))
-            input.pressed = button;
-        if (ImGui::IsMouseReleased(button))
-            input.released = button;
-    }
+    const PointerInput input = pointer_input(context, area, ImGui::IsItemHovered());
     const view::ViewSize size{double(area.width()), double(area.height())};
     pointer_.update(input, size, double(context.scale()), camera_);
     if (input.inside && ImGui::IsMouseDoubleClicked(0) && scene_ != nullptr)

@@ -2,6 +2,7 @@
 
 #include "editor/features.hpp"
 #include "editor/picking.hpp"
+#include "editor/pointer_input.hpp"
 #include "editor/scene_view.hpp"
 #include "editor/viewport/compare_overlay.hpp"
 #include "editor/viewport_tool.hpp"
@@ -87,25 +88,7 @@ private:
 
     void handle_pointer(EditorContext& context, const Rect& area, const view::ViewSize& size, bool hovered) {
         const ImGuiIO& io = ImGui::GetIO();
-        PointerInput input;
-        input.x = double(io.MousePos.x - area.min.x);
-        input.y = double(io.MousePos.y - area.min.y);
-        input.dx = double(io.MouseDelta.x);
-        input.dy = double(io.MouseDelta.y);
-        // Some systems turn Shift+wheel into a sideways wheel.
-        input.wheel = double(io.MouseWheel != 0 ? io.MouseWheel : io.MouseWheelH);
-        input.ctrl = io.KeyCtrl;
-        input.shift = io.KeyShift;
-        input.alt = io.KeyAlt;
-        input.camera_held = io.KeysDown[key_v];
-        input.navigation = context.state.navigation;
-        input.inside = hovered && !cube_hovered_;
-        for (int button = 0; button < 3; ++button) {
-            if (input.inside && ImGui::IsMouseClicked(button))
-                input.pressed = button;
-            if (ImGui::IsMouseReleased(button))
-                input.released = button;
-        }
+        PointerInput input = pointer_input(context, area, hovered && !cube_hovered_);
         if (EditorState& state = context.state;
             input.inside && input.ctrl && input.wheel != 0 && state.section.on) {
             move_section(state.section, state.scene_box, input.wheel * 0.01);
