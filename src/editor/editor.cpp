@@ -136,7 +136,11 @@ void Editor::handle_keys() {
         }
         if (modal || ImGui::GetIO().WantTextInput)
             continue; // the keys belong to the text
-        const KeyBinding* row = find_binding(press.chord, state_.tool == Tool::paint);
+        const bool painting = state_.tool == Tool::paint;
+        const KeyBinding* row = find_binding(press.chord, painting);
+        if (const std::optional<Command> preset = preset_binding(press.chord, state_.navigation);
+            preset && !painting)
+            row = &binding(*preset);
         if (state_.show_start && row != nullptr && !acts_on_start_page(*row)) {
             state_.show_start = row->command != Command::escape;
             continue;

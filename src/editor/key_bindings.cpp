@@ -174,6 +174,16 @@ const KeyBinding* find_binding(const KeyChord& chord, bool painting) {
     return found;
 }
 
+std::optional<Command> preset_binding(const KeyChord& chord, Navigation navigation) {
+    if (navigation == Navigation::paraview && chord == KeyChord{key_r})
+        return Command::frame_selection;
+    if (navigation == Navigation::blender && chord == KeyChord{key_pad_period})
+        return Command::frame_selection;
+    if (navigation == Navigation::blender && chord == KeyChord{key_home})
+        return Command::frame_all;
+    return std::nullopt;
+}
+
 std::string to_text(const KeyChord& chord) {
     if (chord.key == key_none)
         return {};

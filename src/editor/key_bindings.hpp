@@ -3,6 +3,7 @@
 // are made from it.
 
 #include "editor/keys.hpp"
+#include "editor/navigation.hpp"
 
 #include <array>
 #include <optional>
@@ -157,6 +158,10 @@ const std::vector<KeyBinding>& key_bindings();
 const KeyBinding& binding(Command command);
 /// The row that a chord belongs to, or null.
 const KeyBinding* find_binding(const KeyChord& chord, bool painting = false);
+
+/// What a chord does under a mouse preset before the table is asked: the framing keys of the program that it follows.
+/// Nothing: the table decides.
+std::optional<Command> preset_binding(const KeyChord& chord, Navigation navigation);
 
 /// Name of a row in the user's key file: its label in lower case with dashes, "one-frame-back".
 std::string command_id(const KeyBinding& row);

@@ -67,6 +67,7 @@ enum Key : int {
     key_f12 = 301,
     key_pad_0 = 320,
     key_pad_1 = 321,
+    key_pad_period = 330,
     key_pad_enter = 335,
     key_left_shift = 340,
     key_left_ctrl = 341,

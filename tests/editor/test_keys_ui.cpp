@@ -127,6 +127,29 @@ TEST_CASE("Theme, mouse and keys of one's own come back in the next session", "[
     reset_user_keys();
 }
 
+TEST_CASE("The framing keys of a preset go before the table, and only under it", "[editor][ui][navigation]") {
+    struct Row {
+        Navigation navigation;
+        int key;
+        Command command;
+    };
+    for (const Row& row : {Row{Navigation::paraview, key_r, Command::frame_selection},
+                           Row{Navigation::blender, key_pad_period, Command::frame_selection},
+                           Row{Navigation::blender, key_home, Command::frame_all}}) {
+        Driver d;
+        d.frame(2);
+        d.click("tree/turning");
+        const view::Camera whole = d.state().camera;
+        d.key(row.key);
+        CHECK(d.state().last_command != static_cast<int>(row.command));
+        d.state().navigation = row.navigation;
+        d.key(row.key);
+        CHECK(d.state().last_command == static_cast<int>(row.command));
+        if (row.command == Command::frame_selection)
+            CHECK(d.state().camera.distance() < whole.distance());
+    }
+}
+
 TEST_CASE("The mouse does what each preset says", "[editor][ui][navigation]") {
     struct Gesture {
         Navigation navigation;
