@@ -4,23 +4,29 @@
 #include "fascicle/base/state_hash.hpp"
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/format_registry.hpp"
+#include "fascicle/io/mesh_convert.hpp"
 
 namespace fascicle {
 
-MeshFile read_mesh_bytes(std::string_view bytes, const std::string& name) {
+MeshData read_mesh_data(std::string_view bytes, const std::string& name, const MeshFormat** found) {
     std::string_view content = bytes;
     if (content.substr(0, 3) == "\xef\xbb\xbf") // UTF-8 byte order mark
         content.remove_prefix(3);
     const MeshFormat* format = recognise_format(content, name);
-    if (format == nullptr) {
-        std::string known;
-        for (const MeshFormat& f : mesh_formats())
-            known += (known.empty() ? "" : ", ") + f.name;
-        throw_error(name, content.empty() ? "the file is empty" : "the file is of no known format", known);
-    }
+    if (format == nullptr)
+        throw_error(name, content.empty() ? "the file is empty" : "the file is of no known format",
+                    mesh_format_names());
+    if (found != nullptr)
+        *found = format;
     MeshData data = format->read(content, name);
     if (data.mesh.positions.empty() && data.lines.points.empty())
         throw_error(name, "the file holds no points", "a mesh");
+    return data;
+}
+
+MeshFile read_mesh_bytes(std::string_view bytes, const std::string& name) {
+    const MeshFormat* format = nullptr;
+    MeshData data = read_mesh_data(bytes, name, &format);
     MeshFile file;
     file.lines = std::move(data.lines);
     file.format = format->name;
