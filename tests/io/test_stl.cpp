@@ -2,6 +2,7 @@
 #include "io/formats/binary_numbers.hpp"
 #include "io/formats/stl.hpp"
 #include "io/formats/vertex_weld.hpp"
+#include "io/mesh_samples.hpp"
 #include "support/shapes.hpp"
 
 #include <catch2/catch.hpp>
@@ -33,25 +34,6 @@ const std::vector<std::array<float, 9>> two{{0, 0, 0, 1, 0, 0, 0, 1, 0}, {1, 0, 
 const std::string facet =
     "facet normal nan 0 1\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 0 1 0\n"
     " endloop\nendfacet\n";
-
-/// Vertices in the order in which triangles use them, coordinates that a float holds.
-TriMesh as_stl_has_it(const TriMesh& mesh) {
-    TriMesh out;
-    std::vector<int> number(mesh.positions.size(), -1);
-    for (Tri t : mesh.triangles) {
-        for (int& v : t) {
-            int& n = number[static_cast<std::size_t>(v)];
-            if (n < 0) {
-                n = out.vertex_count();
-                out.positions.push_back(
-                    mesh.positions[static_cast<std::size_t>(v)].cast<float>().cast<double>());
-            }
-            v = n;
-        }
-        out.triangles.push_back(t);
-    }
-    return out;
-}
 
 } // namespace
 

@@ -93,17 +93,18 @@ public:
                "</VTKFile>\n";
     }
     std::string sample() {
-        std::string inside =
-            "<PointData>" + array<std::int8_t>("Int8", "Int8", 1, {-128, 127, 0, 1}) +
-            array<std::uint8_t>("UInt8", "UInt8", 1, {0, 255, 60, 62}) + // < and >, among others
-            array<std::int16_t>("Int16", "Int16", 1, {-32768, 1, 2, 3}) +
-            array<std::uint16_t>("UInt16", "UInt16", 1, {65535, 1, 2, 3}) +
-            array<std::int32_t>("Int32", "Int32", 1, {-2147483648.0, 1, 2, 3}) +
-            array<std::uint32_t>("UInt32", "UInt32", 1, {4294967295.0, 1, 2, 3}) +
-            array<std::int64_t>("Int64", "Int64", 1, {-9007199254740992.0, 1, 2, 3}) +
-            array<std::uint64_t>("UInt64", "UInt64", 1, {9007199254740992.0, 1, 2, 3}) +
-            array<float>("Float32", "Float32", 2, {0.5, -0.25, 1, 2, 3, 4, 5, 6}) +
-            array<double>("Float64", "Float64", 1, {0.1, -1e300, 2, 3}) + "</PointData>";
+        std::string inside = "<PointData>";
+        inside += array<std::int8_t>("Int8", "Int8", 1, {-128, 127, 0, 1});
+        inside += array<std::uint8_t>("UInt8", "UInt8", 1, {0, 255, 60, 62}); // < and >, among others
+        inside += array<std::int16_t>("Int16", "Int16", 1, {-32768, 1, 2, 3});
+        inside += array<std::uint16_t>("UInt16", "UInt16", 1, {65535, 1, 2, 3});
+        inside += array<std::int32_t>("Int32", "Int32", 1, {-2147483648.0, 1, 2, 3});
+        inside += array<std::uint32_t>("UInt32", "UInt32", 1, {4294967295.0, 1, 2, 3});
+        inside += array<std::int64_t>("Int64", "Int64", 1, {-9007199254740992.0, 1, 2, 3});
+        inside += array<std::uint64_t>("UInt64", "UInt64", 1, {9007199254740992.0, 1, 2, 3});
+        inside += array<float>("Float32", "Float32", 2, {0.5, -0.25, 1, 2, 3, 4, 5, 6});
+        inside += array<double>("Float64", "Float64", 1, {0.1, -1e300, 2, 3});
+        inside += "</PointData>";
         inside += "<Points>" +
                   array<double>("p", "Float64", 3, {0, 0, 0, 0.1, 0, 0, 1, 1.0 / 3, 0, 0, 1, 1e-9}) +
                   "</Points>";

@@ -4,6 +4,7 @@
 #include "io/formats/binary_numbers.hpp"
 #include "io/formats/text_scanner.hpp"
 
+#include <algorithm>
 #include <zlib.h>
 
 namespace fascicle::io {
@@ -63,10 +64,12 @@ void read_zlib(const XmlReader& xml, VtpByteSource& source, VtpEncoding& encodin
     if (blocks == 0)
         return;
     const std::uint64_t most = most_inflated * source.most_left() + 1024;
-    if (block_bytes == 0 || block_bytes > most || last_bytes > block_bytes || blocks > most / block_bytes + 1)
+    const std::uint64_t whole_blocks = last_bytes > 0 ? blocks - 1 : blocks;
+    if (block_bytes == 0 || last_bytes > std::min(block_bytes, most) ||
+        (whole_blocks > 0 && block_bytes > most / whole_blocks))
         xml.fail(std::to_string(blocks) + " compressed blocks of " + std::to_string(block_bytes) + " bytes",
                  "no more than zlib can pack into the data");
-    const std::uint64_t total = (blocks - 1) * block_bytes + (last_bytes > 0 ? last_bytes : block_bytes);
+    const std::uint64_t total = whole_blocks * block_bytes + last_bytes;
     count_numbers(xml, encoding, total, number_bytes);
     std::string inflated; // a block, after what was left of a number that the one before cut through
     for (std::size_t b = 0; b < sizes.size(); ++b) {
