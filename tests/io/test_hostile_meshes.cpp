@@ -334,7 +334,7 @@ TEST_CASE("hostile XML: deep nesting, entities, endless names", "[io][hostile]")
     CHECK(named[0].second == "&lol;&<");
 }
 
-TEST_CASE("a series of files is read back as it was written; damaged ones end in an error", "[io][hostile]") {
+TEST_CASE("a series of files is read back as it was written, and damaged ones end in an error", "[io][hostile]") {
     const std::vector<std::pair<double, std::string>> steps{
         {0, "frames/a & b.0000.vtp"}, {1.0 / 3, "frames/\"größer\".0001.vtp"}, {1e9, "../x.vtp"}};
     std::ostringstream out;
