@@ -80,25 +80,18 @@ void write_run(const fs::path& folder, const Recording& recording, bool vtp, int
     writer.finish(recording, series_of(metrics, muscles));
 }
 
-void move_file(const fs::path& from, const fs::path& to) {
-    std::error_code error;
-    fs::rename(from, to, error);
-    if (error)
-        throw_error(to.string(), "cannot write the file (" + error.message() + ")",
-                    "a folder that can be written to");
-}
-
 /// The table alone, and beside it what was run.
 void write_metrics(const ExportRequest& request, const Recording& recording, const JobControl& control) {
     fs::path facts = request.target;
     facts.replace_extension(".json");
-    for (const fs::path& file : {request.target, facts})
-        check_no_input(file, recording.scene());
     std::error_code ignored;
-    StagedFiles files(fs::absolute(request.target, ignored).parent_path());
+    StagedFiles files(fs::absolute(request.target, ignored).parent_path(), StagedFiles::Use::shared);
     write_run(files.place() / "run", recording, false, request.threads, control);
-    move_file(files.place() / "run" / "summary.json", facts);
-    move_file(files.place() / "run" / "metrics.csv", request.target);
+    const fs::path run = files.place() / "run";
+    fs::rename(run / "summary.json", files.place() / facts.filename());
+    fs::rename(run / "metrics.csv", files.place() / request.target.filename());
+    fs::remove_all(run);
+    files.commit(recording.scene());
 }
 
 std::vector<NamedArray> attachment_arrays(const Recording& recording, std::size_t m) {
@@ -267,12 +260,8 @@ void export_data(const ExportRequest& request, const Recording& growing, const J
         return write_fibres(request, *recording, control);
     case ExportKind::metrics:
         return write_metrics(request, *recording, control);
-    case ExportKind::run: {
-        without_inputs(request.target, recording->scene());
-        StagedFiles files(request.target);
-        write_run(files.place(), *recording, true, request.threads, control);
-        return files.commit(recording->scene());
-    }
+    case ExportKind::run:
+        return write_run(request.target, *recording, true, request.threads, control);
     default:
         FASCICLE_ASSERT(false);
     }

@@ -102,17 +102,19 @@ int simulate(const SimulateOptions& options) {
         const FibreMeasure* fibres = metrics->muscle(m).fibres();
         series.push_back(fibres != nullptr ? &fibres->series() : nullptr);
     }
+    std::function<void(const std::filesystem::path&)> pictures;
+#ifdef FASCICLE_HAS_VIEW
+    if (exports.png && recording->state() != RunState::cancelled)
+        pictures = [&](const std::filesystem::path& place) {
+            progress.update({"pictures", 0, 0, 0}, steady_seconds());
+            output::write_run_pictures(*recording, place);
+            progress.finish();
+        };
+#endif
     if (recording->frame_count() > 0)
-        writer.finish(*recording, series);
+        writer.finish(*recording, series, pictures);
     if (recording->state() == RunState::cancelled)
         report_cancelled(*recording, options.out);
-#ifdef FASCICLE_HAS_VIEW
-    if (exports.png) {
-        progress.update({"pictures", 0, 0, 0}, steady_seconds());
-        output::write_run_pictures(*recording, options.out);
-        progress.finish();
-    }
-#endif
     if (!options.quiet) {
         for (const std::string& note : recording->notes())
             std::cout << "note: " << note << '\n';
