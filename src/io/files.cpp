@@ -172,6 +172,14 @@ void check_output_name(const fs::path& path) {
                     "the name of a file");
 }
 
+std::string shown_path(const fs::path& path) {
+    fs::path shown;
+    for (const fs::path& part : path)
+        if (!part.native().starts_with(hidden_folder))
+            shown /= part;
+    return shown.string();
+}
+
 MadeFolders::MadeFolders(fs::path folder) : folder_(std::move(folder)) {
     std::error_code error;
     for (fs::path path = folder_; fs::status(path, error).type() == fs::file_type::not_found && !path.empty();
@@ -183,7 +191,7 @@ MadeFolders::MadeFolders(fs::path folder) : folder_(std::move(folder)) {
     if (!error)
         return;
     remove_empty_folders(folder_, made_);
-    throw_error(folder_.string(), "cannot create the folder: " + error.message());
+    throw_error(shown_path(folder_), "cannot create the folder: " + error.message());
 }
 
 MadeFolders::~MadeFolders() {
@@ -250,7 +258,7 @@ AtomicFile::AtomicFile(fs::path path)
             break;
     }
     if (buffer_.file < 0)
-        throw_error(path_.string(), "cannot write: " + reason());
+        throw_error(shown_path(path_), "cannot write: " + reason());
 }
 
 AtomicFile::~AtomicFile() {
@@ -275,11 +283,11 @@ void AtomicFile::commit(Flush flush) {
         buffer_.reason = flush_to_disk(buffer_.file);
     buffer_.close();
     if (buffer_.reason != 0 || stream_.fail())
-        throw_error(path_.string(), "cannot write: " + reason(buffer_.reason));
+        throw_error(shown_path(path_), "cannot write: " + reason(buffer_.reason));
     std::error_code code;
     fs::rename(temporary_, path_, code);
     if (code)
-        throw_error(path_.string(), "cannot write: " + code.message());
+        throw_error(shown_path(path_), "cannot write: " + code.message());
     temporary_.clear();
     folders_.keep();
     if (flush == Flush::no)

@@ -19,7 +19,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* hidden = ".fascicle-part-";
 constexpr const char* summary = "summary.json";
 
 fs::path resolved(const fs::path& path) {
@@ -100,10 +99,10 @@ void remove_orphans(const fs::path& folder) {
     std::error_code error;
     for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
         const std::string name = it->path().filename().string();
-        if (!name.starts_with(hidden))
+        if (!name.starts_with(hidden_folder))
             continue;
         char* rest = nullptr;
-        const long pid = std::strtol(name.c_str() + std::strlen(hidden), &rest, 10);
+        const long pid = std::strtol(name.c_str() + std::strlen(hidden_folder), &rest, 10);
         if (pid > 0 && *rest == '-' && ::kill(static_cast<pid_t>(pid), 0) != 0 && errno == ESRCH)
             found.push_back(it->path());
     }
@@ -173,7 +172,7 @@ StagedFiles::StagedFiles(fs::path folder, Use use) : folder_(without_slash(folde
     if (use == Use::alone)
         lock_.emplace(folder_);
     remove_orphans(folder_);
-    place_ = folder_ / (hidden + std::to_string(::getpid()) + "-" + std::to_string(counter++));
+    place_ = folder_ / (hidden_folder + std::to_string(::getpid()) + "-" + std::to_string(counter++));
     std::error_code error;
     if (!fs::create_directory(place_, error) && !error)
         error = std::make_error_code(std::errc::file_exists);

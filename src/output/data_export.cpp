@@ -2,6 +2,7 @@
 
 #include "fascicle/base/assert.hpp"
 #include "fascicle/base/error.hpp"
+#include "fascicle/base/text.hpp"
 #include "fascicle/io/fibre_files.hpp"
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/mesh_file.hpp"
@@ -23,7 +24,7 @@ namespace {
 std::string numbered(const std::string& name, int frame) {
     char number[24];
     std::snprintf(number, sizeof number, "_%04d.vtp", frame);
-    return name + number;
+    return file_name_for(name) + number;
 }
 
 /// Frames of the recording as it is now, as a recording of its own: one that is still computed would go on growing.
@@ -119,6 +120,7 @@ void write_meshes(const ExportRequest& request, const Recording& recording, cons
     const Scene& scene = recording.scene();
     const std::vector<int> places = chosen_frames(recording, request);
     const double frame_time = scene.parameters.get("solver.frame_time");
+    require_file_names(scene);
     StagedFiles files(request.target);
     MetricsEngine metrics(recording, request.threads);
     std::map<std::string, std::vector<std::pair<double, std::string>>> series;
@@ -146,7 +148,7 @@ void write_meshes(const ExportRequest& request, const Recording& recording, cons
         }
     }
     for (const auto& [name, steps] : series)
-        write_series_file(files.place() / (name + ".pvd"), steps);
+        write_series_file(files.place() / (file_name_for(name) + ".pvd"), steps);
     files.commit(scene);
 }
 
@@ -211,7 +213,7 @@ void write_fibres(const ExportRequest& request, const Recording& recording, cons
             write_mesh_file(files.place() / file, fibre_lines(*series[m], frame->index, fibres));
             steps.emplace_back(frame->index * frame_time, file);
         }
-        write_series_file(files.place() / (scene.muscles[m].name + "_fibres.pvd"), steps);
+        write_series_file(files.place() / (file_name_for(scene.muscles[m].name) + "_fibres.pvd"), steps);
     }
     write_fibre_table(files.place() / "fibres.csv", present);
     files.commit(scene);

@@ -20,6 +20,11 @@ std::string read_head(const std::filesystem::path& path, std::size_t bytes);
 /// file would replace. For commands to ask before they work.
 void check_output_name(const std::filesystem::path& path);
 
+/// Hidden folders that files are written into before they get their final names begin with this (staged_files.hpp).
+inline constexpr const char* hidden_folder = ".fascicle-part-";
+/// A path as a user knows it: without such folders.
+std::string shown_path(const std::filesystem::path& path);
+
 /// Makes the missing folders of a path; those that are still empty when this goes, unless kept, are removed again.
 class MadeFolders {
 public:
