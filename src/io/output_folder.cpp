@@ -1,15 +1,33 @@
 #include "fascicle/io/output_folder.hpp"
 
 #include "fascicle/base/error.hpp"
+#include "fascicle/base/text.hpp"
 #include "fascicle/scene/line_muscles.hpp"
 #include "io/run_files.hpp"
 
+#include <map>
 #include <set>
 
 namespace fascicle {
 namespace fs = std::filesystem;
 
-const fs::path& without_inputs(const fs::path& folder, const Scene& scene) {
+void require_file_names(const Scene& scene) {
+    std::map<std::string, std::string> names; // of files, and whose
+    const auto add = [&](const std::string& name) {
+        const auto [it, is_new] = names.emplace(file_name_for(name), name);
+        if (!is_new)
+            throw_error("", "the names '" + it->second + "' and '" + name + "' would call the same file",
+                        "names that differ in more than separators");
+    };
+    for (const Bone& bone : scene.bones)
+        add(bone.name);
+    for (const Muscle& muscle : scene.muscles)
+        add(muscle.name);
+}
+
+const fs::path& without_inputs(const fs::path& folder, const Scene& scene,
+                               const std::vector<fs::path>& more_inputs) {
+    require_file_names(scene);
     std::set<fs::path> outputs;
     const auto canonical = [](const fs::path& path) {
         std::error_code code;
@@ -36,6 +54,8 @@ const fs::path& without_inputs(const fs::path& folder, const Scene& scene) {
             throw_error(folder.string(), "the output would replace the input " + source.path,
                         "another output folder", ErrorKind::usage);
     };
+    for (const fs::path& input : more_inputs)
+        check({input.string(), {}});
     check(scene.motion_source);
     if (scene.line_muscles != nullptr)
         check(scene.line_muscles->source);

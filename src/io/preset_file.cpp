@@ -84,7 +84,7 @@ void write_preset(const fs::path& path, const Preset& preset) {
         else
             values[key] = text;
     }
-    write_file(path, json.dump(2) + "\n");
+    write_file(path, json.dump(2, ' ', false, io::Json::error_handler_t::replace) + "\n");
 }
 
 const std::vector<Preset>& built_in_presets() {

@@ -7,6 +7,8 @@
 #include "app/cli/source_options.hpp"
 #include "fascicle/base/interrupt.hpp"
 #include "fascicle/base/suggest.hpp"
+#include "fascicle/base/text.hpp"
+#include "fascicle/io/output_folder.hpp"
 #include "fascicle/io/run_writer.hpp"
 #include "fascicle/metrics/metric_table.hpp"
 #include "fascicle/metrics/muscle_measure.hpp"
@@ -81,6 +83,7 @@ int simulate(const SimulateOptions& options) {
     const int threads = thread_count(options.solve);
     const auto scene = std::make_shared<const Scene>(std::move(loaded.scene));
 
+    without_inputs(options.out, *scene, input_files(options.source, options.solve));
     RunWriter writer(options.out, scene, {exports.vtp, options.every, {}, threads});
     RunTable table(*scene);
     std::unique_ptr<MetricsEngine> metrics;
@@ -102,22 +105,24 @@ int simulate(const SimulateOptions& options) {
         const FibreMeasure* fibres = metrics->muscle(m).fibres();
         series.push_back(fibres != nullptr ? &fibres->series() : nullptr);
     }
+    std::function<void(const std::filesystem::path&)> pictures;
+#ifdef FASCICLE_HAS_VIEW
+    if (exports.png && recording->state() != RunState::cancelled)
+        pictures = [&](const std::filesystem::path& place) {
+            progress.update({"pictures", 0, 0, 0}, steady_seconds());
+            output::write_run_pictures(*recording, place);
+            progress.finish();
+        };
+#endif
     if (recording->frame_count() > 0)
-        writer.finish(*recording, series);
+        writer.finish(*recording, series, pictures);
     if (recording->state() == RunState::cancelled)
         report_cancelled(*recording, options.out);
-#ifdef FASCICLE_HAS_VIEW
-    if (exports.png) {
-        progress.update({"pictures", 0, 0, 0}, steady_seconds());
-        output::write_run_pictures(*recording, options.out);
-        progress.finish();
-    }
-#endif
     if (!options.quiet) {
         for (const std::string& note : recording->notes())
-            std::cout << "note: " << note << '\n';
+            std::cout << "note: " << one_line(note) << '\n';
         table.print(std::cout, *recording);
-        std::cout << "written to " << options.out << '\n';
+        std::cout << "written to " << one_line(options.out) << '\n';
     }
     return 0;
 }
