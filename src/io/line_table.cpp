@@ -30,8 +30,10 @@ void write_line_table(const std::filesystem::path& path, const LineSeries& serie
 
 void remove_line_table(const std::filesystem::path& path) {
     std::ifstream file(path);
-    std::string line;
-    if (!std::getline(file, line) || line != header)
+    std::string start(std::string_view(header).size() + 1,
+                      '\0'); // never more: the first line of another file may be endless
+    if (!file.read(start.data(), static_cast<std::streamsize>(start.size())) ||
+        start != std::string(header) + '\n')
         return;
     file.close();
     std::error_code ignored;
