@@ -7,10 +7,15 @@
 
 namespace fascicle {
 
-MeshFile read_mesh_bytes(std::string_view bytes, const std::string& name) {
-    std::string_view content = bytes;
-    if (content.substr(0, 3) == "\xef\xbb\xbf") // UTF-8 byte order mark
-        content.remove_prefix(3);
+namespace {
+
+std::string_view without_mark(std::string_view bytes) {
+    if (bytes.substr(0, 3) == "\xef\xbb\xbf") // UTF-8 byte order mark
+        bytes.remove_prefix(3);
+    return bytes;
+}
+
+const MeshFormat& format_of(std::string_view content, const std::string& name) {
     const MeshFormat* format = recognise_format(content, name);
     if (format == nullptr) {
         std::string known;
@@ -18,12 +23,26 @@ MeshFile read_mesh_bytes(std::string_view bytes, const std::string& name) {
             known += (known.empty() ? "" : ", ") + f.name;
         throw_error(name, content.empty() ? "the file is empty" : "the file is of no known format", known);
     }
-    MeshData data = format->read(content, name);
+    return *format;
+}
+
+} // namespace
+
+MeshData read_mesh_data(const std::filesystem::path& path) {
+    const std::string bytes = read_file(path);
+    const std::string_view content = without_mark(bytes);
+    return format_of(content, path.string()).read(content, path.string());
+}
+
+MeshFile read_mesh_bytes(std::string_view bytes, const std::string& name) {
+    const std::string_view content = without_mark(bytes);
+    const MeshFormat& format = format_of(content, name);
+    MeshData data = format.read(content, name);
     if (data.mesh.positions.empty() && data.lines.points.empty())
         throw_error(name, "the file holds no points", "a mesh");
     MeshFile file;
     file.lines = std::move(data.lines);
-    file.format = format->name;
+    file.format = format.name;
     file.notes = std::move(data.notes);
     file.point_arrays = std::move(data.point_arrays);
     file.line_arrays = std::move(data.line_arrays);

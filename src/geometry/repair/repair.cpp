@@ -49,9 +49,12 @@ public:
 
     RepairResult run() {
         begin();
-        weld();
-        part();
-        close();
+        // What filling and parting made may lie on something else in turn.
+        constexpr int most_rounds = 4;
+        for (int round = 0; round < most_rounds; ++round)
+            if (!weld(round) || !part_and_close())
+                break;
+        tell_what_was_done();
         if (detail::closed_and_paired(m_.mesh))
             reshape();
         end();
@@ -82,50 +85,46 @@ private:
                  count(unused, "vertex without triangles dropped", "vertices without triangles dropped"));
     }
 
-    void weld() {
-        control_.checkpoint("weld", 0.05);
-        mean_edge_ = detail::mean_edge_length(m_.mesh);
-        const double tolerance = options_.weld >= 0 ? options_.weld : 1e-3 * mean_edge_;
-        const detail::WeldCounts counts = detail::weld_and_drop_doubles(m_, tolerance);
-        step("weld", counts.welded, counts.welded,
-             count(counts.welded, "border vertex welded to another", "border vertices welded to others") +
-                 ", within " + number("%.3g", tolerance));
-        step("repeated", counts.repeated, counts.repeated,
-             count(counts.repeated, "triangle with a repeated vertex dropped",
-                   "triangles with a repeated vertex dropped"));
-        step("doubled", counts.doubled, counts.doubled,
-             count(counts.doubled, "doubled triangle dropped", "doubled triangles dropped"));
-        step("back_to_back", counts.back_to_back, counts.back_to_back,
-             count(counts.back_to_back, "triangle back to back on another dropped",
-                   "triangles back to back on others dropped"));
+    /// Whether what follows has something to do: always in the first round.
+    bool weld(int round) {
+        control_.checkpoint("weld", 0.05 + 0.1 * round);
+        if (round == 0) {
+            mean_edge_ = detail::mean_edge_length(m_.mesh);
+            tolerance_ = options_.weld >= 0 ? options_.weld : 1e-3 * mean_edge_;
+        }
+        const detail::WeldCounts now = detail::weld_and_drop_doubles(m_, tolerance_);
+        weld_.welded += now.welded;
+        weld_.repeated += now.repeated;
+        weld_.doubled += now.doubled;
+        weld_.back_to_back += now.back_to_back;
+        return round == 0 || now.welded + now.repeated + now.doubled + now.back_to_back > 0;
     }
 
-    void part() {
+    /// Whether triangles or vertices are new.
+    bool part_and_close() {
         control_.checkpoint("sheets", 0.2);
         orient();
         const detail::SheetCounts sheets = detail::part_sheets(m_);
-        step("edges", sheets.edges, sheets.edges,
-             count(sheets.edges, "edge with more than two triangles parted into sheets",
-                   "edges with more than two triangles parted into sheets") +
-                 (sheets.middles > 0
-                      ? ", with " + count(sheets.middles, "new vertex", "new vertices") + " in their middles"
-                      : std::string()));
-        step("fans", sheets.vertices, sheets.vertices,
-             count(sheets.vertices, "copy of a vertex made, one for each of its fans",
-                   "copies of vertices made, one for each of their fans"));
+        sheets_.edges += sheets.edges;
+        sheets_.vertices += sheets.vertices;
+        sheets_.middles += sheets.middles;
         control_.checkpoint("orientation", 0.35);
         orient();
-        step("orientation", turned_.turned_triangles, turned_.turned_triangles,
-             count(turned_.turned_triangles, "triangle that faced the wrong way turned",
-                   "triangles that faced the wrong way turned"));
         control_.checkpoint("islands", 0.45);
         const detail::IslandCounts islands = detail::drop_islands(m_, sheets.hanging, options_.island_share);
-        step("hanging", islands.sheets, islands.sheets,
-             count(islands.sheets, "sheet that hung on the surface dropped",
-                   "sheets that hung on the surface dropped"));
-        step("islands", islands.islands, islands.islands,
-             count(islands.islands, "island below ", "islands below ") + percent(options_.island_share) +
-                 " of the largest part's area dropped");
+        islands_.sheets += islands.sheets;
+        islands_.islands += islands.islands;
+        control_.checkpoint("holes", 0.5);
+        detail::FillCounts fill;
+        if (options_.fill_edges > 0)
+            fill = detail::fill_and_fair(m_, options_.fill_edges, options_.fill_share);
+        fill_.holes = fill_.filled + fill.holes;
+        fill_.filled += fill.filled;
+        fill_.too_large = fill.too_large;
+        fill_.triangles += fill.triangles;
+        fill_.area += fill.area;
+        islands_.flat += detail::drop_flat_parts(m_).flat;
+        return sheets.vertices > 0 || sheets.middles > 0 || fill.filled > 0;
     }
     void orient() {
         const detail::OrientCounts now = detail::orient_outwards(m_);
@@ -133,23 +132,38 @@ private:
         turned_.turned_parts += now.turned_parts;
     }
 
-    void close() {
-        control_.checkpoint("holes", 0.5);
-        if (options_.fill_edges > 0) {
-            fill_ = detail::fill_and_fair(m_, options_.fill_edges, options_.fill_share);
-            step("holes", fill_.holes, fill_.filled,
-                 fill_.filled == 0 && fill_.holes > 0
-                     ? count(fill_.holes, "hole left open", "holes left open")
-                     : count(fill_.filled, "hole filled with ", "holes filled with ") +
-                           count(fill_.triangles, "triangle", "triangles") + ", " +
-                           percent(fill_.area /
-                                   std::max(1e-300, surface_area(m_.mesh.positions, m_.mesh.triangles))) +
-                           " of the area");
-        }
-        const detail::IslandCounts flat = detail::drop_flat_parts(m_);
-        step("flat", flat.flat, flat.flat,
-             count(flat.flat, "flat part that encloses nothing dropped",
-                   "flat parts that enclose nothing dropped"));
+    void tell_what_was_done() {
+        const auto say = [&](const char* key, int n, const char* one, const char* many,
+                             const std::string& rest = {}) { step(key, n, n, count(n, one, many) + rest); };
+        say("weld", weld_.welded, "border vertex welded to another", "border vertices welded to others",
+            ", within " + number("%.3g", tolerance_));
+        say("repeated", weld_.repeated, "triangle with a repeated vertex dropped",
+            "triangles with a repeated vertex dropped");
+        say("doubled", weld_.doubled, "doubled triangle dropped", "doubled triangles dropped");
+        say("back_to_back", weld_.back_to_back, "triangle back to back on another dropped",
+            "triangles back to back on others dropped");
+        say("edges", sheets_.edges, "edge with more than two triangles parted into sheets",
+            "edges with more than two triangles parted into sheets",
+            sheets_.middles > 0
+                ? ", with " + count(sheets_.middles, "new vertex", "new vertices") + " in their middles"
+                : std::string());
+        say("fans", sheets_.vertices, "copy of a vertex made, one for each of its fans",
+            "copies of vertices made, one for each of their fans");
+        say("orientation", turned_.turned_triangles, "triangle that faced the wrong way turned",
+            "triangles that faced the wrong way turned");
+        say("hanging", islands_.sheets, "sheet that hung on the surface dropped",
+            "sheets that hung on the surface dropped");
+        say("islands", islands_.islands, "island below ", "islands below ",
+            percent(options_.island_share) + " of the largest part's area dropped");
+        step("holes", fill_.holes, fill_.filled,
+             fill_.filled == 0 ? count(fill_.holes, "hole left open", "holes left open")
+                               : count(fill_.filled, "hole filled with ", "holes filled with ") +
+                                     count(fill_.triangles, "triangle", "triangles") + ", " +
+                                     percent(fill_.area / std::max(1e-300, surface_area(m_.mesh.positions,
+                                                                                        m_.mesh.triangles))) +
+                                     " of the area");
+        say("flat", islands_.flat, "flat part that encloses nothing dropped",
+            "flat parts that enclose nothing dropped");
     }
 
     void reshape() {
@@ -287,7 +301,10 @@ private:
     detail::RepairMesh m_;
     TriMesh input_; ///< its usable triangles
     RepairResult result_;
-    double mean_edge_ = 0;
+    double mean_edge_ = 0, tolerance_ = 0;
+    detail::WeldCounts weld_;
+    detail::SheetCounts sheets_;
+    detail::IslandCounts islands_;
     detail::OrientCounts turned_;
     detail::FillCounts fill_;
     CrossingReport crossings_;

@@ -42,7 +42,7 @@ CrossingReport untangle(RepairMesh& m, CrossingReport crossings, int threads, co
     CrossingReport now = crossings;
     for (int round = 0; round < most_rounds && now.pairs > 0; ++round) {
         control.checkpoint("untangle", static_cast<double>(round) / most_rounds);
-        const std::vector<int> around = neighbourhood(trial, topology, now.triangles, 1 + round / 4);
+        const std::vector<int> around = neighbourhood(trial, topology, now.triangles, round / 3);
         Points next(around.size());
         for (int step = 0; step < steps; ++step) {
             for (std::size_t i = 0; i < around.size(); ++i) {
