@@ -41,6 +41,10 @@ MeshData read_mesh_data(std::string_view bytes, const std::string& name, const M
     return read_as(format, bytes, name);
 }
 
+MeshData read_mesh_data(const std::filesystem::path& path) {
+    return read_mesh_data(read_file(path), path.string());
+}
+
 MeshFile read_mesh_bytes(std::string_view bytes, const std::string& name, const MeshFormat& format) {
     MeshData data = read_as(format, bytes, name);
     MeshFile file;
