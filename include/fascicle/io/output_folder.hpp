@@ -11,4 +11,7 @@ namespace fascicle {
 /// (usage) naming the input.
 const std::filesystem::path& without_inputs(const std::filesystem::path& folder, const Scene& scene);
 
+/// Error (usage) naming the input when one of the files is an input of the scene.
+void refuse_inputs(const std::vector<std::filesystem::path>& files, const Scene& scene);
+
 } // namespace fascicle

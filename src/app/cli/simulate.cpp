@@ -7,6 +7,7 @@
 #include "app/cli/source_options.hpp"
 #include "fascicle/base/interrupt.hpp"
 #include "fascicle/base/suggest.hpp"
+#include "fascicle/io/osim_export.hpp"
 #include "fascicle/io/run_writer.hpp"
 #include "fascicle/metrics/metric_table.hpp"
 #include "fascicle/metrics/muscle_measure.hpp"
@@ -25,6 +26,7 @@ struct SimulateOptions {
     SolveOptions solve;
     std::string out;
     std::vector<std::string> exports;
+    std::string axes = "opensim";
     int every = 1;
     bool quiet = false;
 };
@@ -43,22 +45,24 @@ std::vector<std::vector<NamedArray>> point_arrays(const MetricsEngine& metrics, 
 struct Exports {
     bool vtp = false;
     bool png = false;
+    bool osim = false;
 };
 
 Exports read_exports(const std::vector<std::string>& lists) {
-    const std::vector<std::string> known{"vtp", "csv", "png"};
+    const std::vector<std::string> known{"vtp", "csv", "png", "osim"};
     Exports exports;
     for (const std::string& list : lists)
         for (const std::string& word : split(list, ',')) {
             if (std::find(known.begin(), known.end(), word) == known.end())
-                throw_error("--export", "got '" + word + "'" + did_you_mean(word, known), "vtp, csv, png",
-                            ErrorKind::usage);
+                throw_error("--export", "got '" + word + "'" + did_you_mean(word, known),
+                            "vtp, csv, png, osim", ErrorKind::usage);
             exports.vtp = exports.vtp || word == "vtp";
             exports.png = exports.png || word == "png";
+            exports.osim = exports.osim || word == "osim";
         }
 #ifndef FASCICLE_HAS_VIEW
     if (exports.png)
-        throw_error("--export", "this program was built without drawing", "vtp, csv", ErrorKind::usage);
+        throw_error("--export", "this program was built without drawing", "vtp, csv, osim", ErrorKind::usage);
 #endif
     return exports;
 }
@@ -113,10 +117,20 @@ int simulate(const SimulateOptions& options) {
         progress.finish();
     }
 #endif
+    std::string osim_summary;
+    if (exports.osim) {
+        OsimExportOptions osim;
+        osim.axes = options.axes == "as-is" ? AxisMapping::as_is : AxisMapping::lps_to_opensim;
+        osim.threads = threads;
+        const OsimExportReport report = export_osim(options.out, *recording, osim);
+        osim_summary = report.model.string() + ": " + report.summary;
+    }
     if (!options.quiet) {
         for (const std::string& note : recording->notes())
             std::cout << "note: " << note << '\n';
         table.print(std::cout, *recording);
+        if (!osim_summary.empty())
+            std::cout << osim_summary << '\n';
         std::cout << "written to " << options.out << '\n';
     }
     return 0;
@@ -129,8 +143,11 @@ std::function<int()> add_simulate(CLI::App& app) {
     add_source_options(app, options->source);
     add_text(app, "--out", options->out, "DIR", "Folder for everything that is written");
     add_solve_options(app, options->solve);
-    add_texts(app, "--export", options->exports, "vtp,csv,png",
-              "What to write beside the tables: vtp surfaces, png pictures");
+    add_texts(
+        app, "--export", options->exports, "vtp,csv,png,osim",
+        "What to write beside the tables: vtp surfaces, png pictures, osim an OpenSim model of the fibres");
+    add_choice(app, "--axes", options->axes, {"opensim", "as-is"},
+               "Of the OpenSim model: X anterior, Y up, Z right of a scene in LPS, or the scene's own");
     add_whole(app, "--every", options->every, 1, 1000000, "K",
               "Write every K-th frame's surfaces, and the last");
     app.add_flag("--quiet", options->quiet, "No progress and no closing table");
