@@ -83,6 +83,9 @@ int simulate(const SimulateOptions& options) {
     const Exports exports = read_exports(options.exports);
     LoadedScene loaded = load(options.source, options.solve);
     const int threads = thread_count(options.solve);
+    if (exports.osim && loaded.scene.parameters.get_choice("fibres.method") == "none")
+        throw_error("--export osim", "fibres.method is none: there would be nothing to write",
+                    "--set fibres.method=kukacka, chmd or streamlines", ErrorKind::usage);
     const auto scene = std::make_shared<const Scene>(std::move(loaded.scene));
 
     RunWriter writer(options.out, scene, {exports.vtp, options.every, {}, threads});

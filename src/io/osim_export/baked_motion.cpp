@@ -219,7 +219,7 @@ BakedMotion bake_motion(const Recording& recording, const ToModel& to_model, Osi
             if (excursion(s) > excursion(span) * (1 + 1e-9))
                 span = s;
         for (const double angle : motion.angles_rad)
-            motion.values.push_back(motion.sign * angle);
+            motion.values.push_back(motion.sign * angle + 0.0); // no -0
         for (std::size_t k = span.first; k <= span.last; ++k)
             fitted.push_back(static_cast<int>(k));
     } else {
