@@ -1,10 +1,10 @@
 #include "editor/dropped_file.hpp"
 
 #include "fascicle/io/csv.hpp"
+#include "fascicle/io/files.hpp"
 #include "fascicle/io/format_registry.hpp"
 
 #include <algorithm>
-#include <fstream>
 
 namespace fascicle::editor {
 
@@ -16,14 +16,6 @@ std::string lower(std::string text) {
     std::transform(text.begin(), text.end(), text.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
     return text;
-}
-
-std::string head_of(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::string head(std::size_t{1} << 16, '\0');
-    file.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, file.gcount())));
-    return head;
 }
 
 /// By the columns of its header row.
@@ -66,7 +58,7 @@ FileKind kind_of_file(const fs::path& path, std::string& why) {
         return FileKind::fibre_template;
     if (is_mesh_extension(extension))
         return FileKind::mesh;
-    const std::string head = head_of(path);
+    const std::string head = read_head(path, std::size_t{1} << 16);
     if (extension == ".csv" || extension == ".tsv")
         return kind_of_table(head, path, why);
     if (head.find("<OpenSimDocument") != std::string::npos)

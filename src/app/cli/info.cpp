@@ -3,6 +3,7 @@
 #include "app/cli/command.hpp"
 #include "fascicle/base/error.hpp"
 #include "fascicle/base/param_table.hpp"
+#include "fascicle/base/text.hpp"
 #include "fascicle/geometry/bounding_box.hpp"
 #include "fascicle/geometry/volume.hpp"
 #include "fascicle/io/files.hpp"
@@ -31,7 +32,7 @@ std::string text(const Vec3& p) {
 }
 
 void print(const char* label, const std::string& value) {
-    std::cout << "  " << std::left << std::setw(14) << label << value << '\n';
+    std::cout << "  " << std::left << std::setw(14) << label << one_line(value) << '\n';
 }
 
 void print_surface(const MeshFile& file, const std::string& unit) {
@@ -85,7 +86,7 @@ void print_file(const std::string& path) {
         box.add(p);
     for (const Vec3& p : file.lines.points)
         box.add(p);
-    std::cout << path << '\n';
+    std::cout << one_line(path) << '\n';
     print("format", file.format);
     const std::string unit = to_text(guess_unit(box.diagonal()));
     if (!box.empty())

@@ -6,6 +6,7 @@
 #include "io/formats/vtp_array.hpp"
 #include "io/formats/xml_reader.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -278,7 +279,11 @@ std::string int_text(std::size_t i) {
 void put_named(std::string& out, const std::vector<NamedArray>& arrays, const char* element) {
     if (arrays.empty())
         return;
-    out += std::string("<") + element + ">\n";
+    // Readers find normals by this attribute; Simbody's (OpenSim's) does not open a mesh without.
+    const bool normals = std::any_of(arrays.begin(), arrays.end(), [](const NamedArray& a) {
+        return a.name == "Normals" && a.components == 3;
+    });
+    out += std::string("<") + element + (normals ? " Normals=\"Normals\"" : "") + ">\n";
     for (const NamedArray& a : arrays)
         put_array(out,
                   "type=\"Float64\" Name=\"" + xml_escaped(a.name) + "\" NumberOfComponents=\"" +
