@@ -3,7 +3,6 @@
 #include "fascicle/io/csv.hpp"
 #include "fascicle/io/files.hpp"
 
-#include <fstream>
 #include <numbers>
 
 namespace fascicle {
@@ -29,13 +28,9 @@ void write_line_table(const std::filesystem::path& path, const LineSeries& serie
 }
 
 void remove_line_table(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    std::string start(std::string_view(header).size() + 1,
-                      '\0'); // never more: the first line of another file may be endless
-    if (!file.read(start.data(), static_cast<std::streamsize>(start.size())) ||
-        start != std::string(header) + '\n')
+    const std::string start = std::string(header) + '\n';
+    if (read_head(path, start.size()) != start)
         return;
-    file.close();
     std::error_code ignored;
     std::filesystem::remove(path, ignored);
 }

@@ -3,6 +3,8 @@
 #include "fascicle/base/error.hpp"
 #include "fascicle/base/state_hash.hpp"
 #include "fascicle/io/files.hpp"
+#include "fascicle/io/format_registry.hpp"
+#include "fascicle/io/mesh_convert.hpp"
 
 namespace fascicle {
 
@@ -14,24 +16,37 @@ std::string_view without_mark(std::string_view bytes) {
     return bytes;
 }
 
-} // namespace
-
-MeshFile read_mesh_bytes(std::string_view bytes, const std::string& name) {
+const MeshFormat& format_of(std::string_view bytes, const std::string& name) {
     const std::string_view content = without_mark(bytes);
     const MeshFormat* format = recognise_format(content, name);
-    if (format == nullptr) {
-        std::string known;
-        for (const MeshFormat& f : mesh_formats())
-            known += (known.empty() ? "" : ", ") + f.name;
-        throw_error(name, content.empty() ? "the file is empty" : "the file is of no known format", known);
-    }
-    return read_mesh_bytes(bytes, name, *format);
+    if (format == nullptr)
+        throw_error(name, content.empty() ? "the file is empty" : "the file is of no known format",
+                    mesh_format_names());
+    return *format;
 }
 
-MeshFile read_mesh_bytes(std::string_view bytes, const std::string& name, const MeshFormat& format) {
+MeshData read_as(const MeshFormat& format, std::string_view bytes, const std::string& name) {
     MeshData data = format.read(without_mark(bytes), name);
     if (data.mesh.positions.empty() && data.lines.points.empty())
         throw_error(name, "the file holds no points", "a mesh");
+    return data;
+}
+
+} // namespace
+
+MeshData read_mesh_data(std::string_view bytes, const std::string& name, const MeshFormat** found) {
+    const MeshFormat& format = format_of(bytes, name);
+    if (found != nullptr)
+        *found = &format;
+    return read_as(format, bytes, name);
+}
+
+MeshData read_mesh_data(const std::filesystem::path& path) {
+    return read_mesh_data(read_file(path), path.string());
+}
+
+MeshFile read_mesh_bytes(std::string_view bytes, const std::string& name, const MeshFormat& format) {
+    MeshData data = read_as(format, bytes, name);
     MeshFile file;
     file.lines = std::move(data.lines);
     file.format = format.name;
@@ -47,6 +62,10 @@ MeshFile read_mesh_bytes(std::string_view bytes, const std::string& name, const 
     file.mesh = std::move(mended.mesh);
     file.report = mended.report;
     return file;
+}
+
+MeshFile read_mesh_bytes(std::string_view bytes, const std::string& name) {
+    return read_mesh_bytes(bytes, name, format_of(bytes, name));
 }
 
 MeshFile read_mesh_file(const std::filesystem::path& path) {

@@ -1,9 +1,9 @@
 #include "fascicle/io/mesh_hints.hpp"
 
 #include "fascicle/base/param_table.hpp"
+#include "fascicle/io/files.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <string>
 
 namespace fascicle {
@@ -58,11 +58,7 @@ MeshHints find_mesh_hints(std::string_view bytes) {
 }
 
 MeshHints read_mesh_hints(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::string head(head_bytes, '\0');
-    file.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, file.gcount())));
-    return find_mesh_hints(head);
+    return find_mesh_hints(read_head(path, head_bytes));
 }
 
 } // namespace fascicle

@@ -29,6 +29,9 @@ MeshFile read_mesh_bytes(std::string_view bytes, const std::string& name);
 /// The same in a format that the caller knows.
 MeshFile read_mesh_bytes(std::string_view bytes, const std::string& name, const MeshFormat& format);
 
+/// What a file holds, with all its defects. Error as read_mesh_file, but that of a file without points.
+MeshData read_mesh_data(const std::filesystem::path& path);
+
 /// Writes in the format of the extension; the file is complete or not there. Error when it cannot be written.
 void write_mesh_file(const std::filesystem::path& path, const MeshData& data);
 

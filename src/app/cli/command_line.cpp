@@ -1,10 +1,12 @@
 #include "app/cli/command_line.hpp"
 
 #include "app/cli/command.hpp"
+#include "app/cli/standard_streams.hpp"
 #include "fascicle/base/build_info.hpp"
 #include "fascicle/base/error.hpp"
 #include "fascicle/base/interrupt.hpp"
 #include "fascicle/base/suggest.hpp"
+#include "fascicle/base/text.hpp"
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -49,12 +51,17 @@ std::vector<std::string> option_names(const CLI::App& app) {
 
 /// Error (usage) for the first argument that is no option or operand of the command.
 void check_leftovers(const CLI::App& app, const std::string& command) {
-    const std::vector<std::string> left = app.remaining();
+    std::vector<std::string> left = app.remaining();
+    // "--": what follows is no option, whatever it begins with.
+    const auto end_of_options = std::find(left.begin(), left.end(), "--");
+    const auto options_left = end_of_options - left.begin();
+    if (end_of_options != left.end())
+        left.erase(end_of_options);
     if (left.empty())
         return;
     const auto option = std::find_if(
-        left.begin(), left.end(), [](const std::string& word) { return word.size() > 1 && word[0] == '-'; });
-    if (option == left.end())
+        left.begin(), left.begin() + options_left, [](const std::string& word) { return word.size() > 1 && word[0] == '-'; });
+    if (option == left.begin() + options_left)
         throw_error(command, "unexpected argument '" + left.front() + "'", "only options here",
                     ErrorKind::usage);
     const std::string word = option->substr(0, option->find('='));
@@ -85,7 +92,7 @@ void check_command(int argc, char** argv) {
 
 int complain(const std::string& message, int code) {
     std::cout.flush();
-    std::cerr << "fascicle: " << message << std::endl;
+    std::cerr << "fascicle: " << one_line(message) << std::endl;
     return code;
 }
 
@@ -118,13 +125,16 @@ std::function<int()> parse_command_line(int argc, char** argv) {
 
 int run_command_line(int argc, char** argv) {
     try {
+        secure_standard_streams();
         report_file_size_limit();
         const int code = parse_command_line(argc, argv)();
-        if (!std::cout.flush())
+        if (!flush_standard_output())
             throw_error("standard output", "cannot write");
         return code;
     } catch (const Error& error) {
         return complain(error.what(), static_cast<int>(error.kind()));
+    } catch (const Cancelled&) {
+        return complain("cancelled; nothing was written", 1);
     } catch (const std::bad_alloc&) {
         return complain("not enough memory", 1);
     } catch (const std::exception& error) {
