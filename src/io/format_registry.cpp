@@ -1,8 +1,12 @@
 #include "fascicle/io/format_registry.hpp"
 
 #include "fascicle/base/error.hpp"
+#include "io/formats/gltf_read.hpp"
+#include "io/formats/gltf_write.hpp"
 #include "io/formats/obj.hpp"
 #include "io/formats/text_scanner.hpp"
+#include "io/formats/usda_read.hpp"
+#include "io/formats/usda_write.hpp"
 #include "io/formats/vtk_legacy.hpp"
 #include "io/formats/vtp.hpp"
 
@@ -26,6 +30,8 @@ const std::vector<MeshFormat>& mesh_formats() {
     static const std::vector<MeshFormat> formats{
         {"VTK legacy", {".vtk"}, io::looks_like_vtk_legacy, io::read_vtk_legacy, io::write_vtk_legacy},
         {"VTK XML", {".vtp"}, io::looks_like_vtp, io::read_vtp, io::write_vtp},
+        {"glTF 2.0", {".glb"}, io::looks_like_glb, io::read_glb_mesh, io::write_glb_mesh},
+        {"USD text", {".usda"}, io::looks_like_usda, io::read_usda_mesh, io::write_usda_mesh},
         {"OBJ", {".obj"}, io::looks_like_obj, io::read_obj, io::write_obj},
     };
     return formats;

@@ -25,6 +25,7 @@ const std::vector<Command>& commands();
 std::function<int()> add_scenes(CLI::App& app);
 std::function<int()> add_info(CLI::App& app);
 std::function<int()> add_simulate(CLI::App& app);
+std::function<int()> add_export(CLI::App& app);
 std::function<int()> add_fibres(CLI::App& app);
 std::function<int()> add_render(CLI::App& app);
 std::function<int()> add_report(CLI::App& app);
