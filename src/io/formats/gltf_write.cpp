@@ -367,12 +367,13 @@ void GlbWriter::write(std::ostream& out, const std::string& where) {
     about["shape_frames"] = shape_frames;
     gltf_["asset"]["extras"]["fascicle"] = about;
     gltf_["scene"] = 0;
-    gltf_["scenes"] = {{{"name", animation_.name}, {"nodes", {0}}}};
-    gltf_["nodes"] = {{{"name", animation_.name}}};
     std::vector<std::string> names;
     for (const AnimatedBody& body : animation_.bodies)
         names.push_back(body.name);
+    names.push_back(animation_.name); // last: a scene called as its muscle gives way
     names = unique_names(names);
+    gltf_["scenes"] = {{{"name", animation_.name}, {"nodes", {0}}}};
+    gltf_["nodes"] = {{{"name", names.back()}}};
     for (std::size_t i = 0; i < animation_.bodies.size(); ++i)
         add_body(animation_.bodies[i], names[i]);
     if (!gltf_.contains("meshes"))
