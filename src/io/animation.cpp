@@ -1,8 +1,8 @@
 #include "fascicle/io/animation.hpp"
 
 #include "fascicle/base/assert.hpp"
+#include "fascicle/base/text.hpp"
 #include "io/formats/text_scanner.hpp"
-#include "io/run_files.hpp"
 
 #include <set>
 
@@ -96,7 +96,7 @@ std::vector<std::string> unique_names(const std::vector<std::string>& names) {
 }
 
 std::vector<std::string> unique_file_names(const std::vector<std::string>& names) {
-    return made_unique(names, "_", [](const std::string& name) { return io::file_name(name); });
+    return made_unique(names, "_", [](const std::string& name) { return file_name_for(name); });
 }
 
 std::vector<std::string> unique_identifiers(const std::vector<std::string>& names) {

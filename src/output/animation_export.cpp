@@ -91,43 +91,40 @@ Animation animation_of(const Recording& recording, const ExportRequest& request,
     return animation;
 }
 
-namespace {
-
-void write(const ExportRequest& request, const Animation& animation, const Scene& scene,
-           const JobControl& control) {
+void write_animation(const ExportRequest& request, const Recording& recording, const JobControl& control) {
     const AnimationFormat* format = find_animation_format(request.kind);
     FASCICLE_ASSERT(format != nullptr);
+    const Animation animation = animation_of(recording, request, format->even_frames);
     const AnimationOptions options{request.morph_targets};
     if (!format->folder) {
-        check_no_input(request.target, scene);
+        check_no_input(request.target, recording.scene());
         return format->write(request.target, animation, options, control);
     }
     StagedFiles files(request.target);
     format->write(files.place(), animation, options, control);
-    files.commit(scene);
-}
-
-} // namespace
-
-void write_animation(const ExportRequest& request, const Recording& recording, const JobControl& control) {
-    const AnimationFormat* format = find_animation_format(request.kind);
-    FASCICLE_ASSERT(format != nullptr);
-    write(request, animation_of(recording, request, format->even_frames), recording.scene(), control);
+    files.commit(recording.scene());
 }
 
 void export_animation(const ExportRequest& request, const Animation& animation, const fs::path& source,
                       const JobControl& control) {
-    Scene inputs; // what must not be replaced: the file, and those that stand with it
-    const auto add = [&](const fs::path& path) {
-        inputs.bones.push_back({});
-        inputs.bones.back().source.path = path.string();
-    };
-    add(source);
+    const AnimationFormat* format = find_animation_format(request.kind);
+    FASCICLE_ASSERT(format != nullptr);
+    const AnimationOptions options{request.morph_targets};
+    std::set<fs::path> inputs; // the file, and those that stand with it
     std::error_code error;
     const fs::path folder = source.has_parent_path() ? source.parent_path() : fs::path(".");
     for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
-        add(it->path());
-    write(request, animation, inputs, control);
+        if (it->path().extension() == source.extension() || it->path().stem() == source.stem())
+            inputs.insert(fs::weakly_canonical(it->path(), error));
+    if (!format->folder) {
+        if (fs::weakly_canonical(request.target, error) == fs::weakly_canonical(source, error))
+            throw_error(request.target.string(), "the animation was read from this file", "another name",
+                        ErrorKind::usage);
+        return format->write(request.target, animation, options, control);
+    }
+    StagedFiles files(request.target);
+    format->write(files.place(), animation, options, control);
+    files.commit(inputs);
 }
 
 } // namespace fascicle::output

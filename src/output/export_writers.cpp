@@ -1,6 +1,7 @@
 #include "output/export_writers.hpp"
 
 #include "fascicle/base/error.hpp"
+#include "fascicle/base/text.hpp"
 #include "fascicle/io/animation.hpp"
 #include "fascicle/io/fibre_files.hpp"
 #include "fascicle/io/files.hpp"
@@ -29,7 +30,7 @@ namespace {
 std::string numbered(const std::string& name, int frame) {
     char number[24];
     std::snprintf(number, sizeof number, "_%04d.vtp", frame);
-    return name + number;
+    return file_name_for(name) + number;
 }
 
 /// Depth inside bones and extension, as simulate's frames have them.
@@ -70,27 +71,20 @@ void write_run(const fs::path& folder, const Recording& recording, bool vtp, int
     writer.finish(recording, series_of(metrics, muscles));
 }
 
-void move_file(const fs::path& from, const fs::path& to) {
-    std::error_code error;
-    fs::rename(from, to, error);
-    if (error)
-        throw_error(to.string(), "cannot write the file (" + error.message() + ")",
-                    "a folder that can be written to");
-}
-
 } // namespace
 
 /// The table alone, and beside it what was run.
 void write_metrics(const ExportRequest& request, const Recording& recording, const JobControl& control) {
     fs::path facts = request.target;
     facts.replace_extension(".json");
-    for (const fs::path& file : {request.target, facts})
-        check_no_input(file, recording.scene());
     std::error_code ignored;
-    StagedFiles files(fs::absolute(request.target, ignored).parent_path());
+    StagedFiles files(fs::absolute(request.target, ignored).parent_path(), StagedFiles::Use::shared);
     write_run(files.place() / "run", recording, false, request.threads, control);
-    move_file(files.place() / "run" / "summary.json", facts);
-    move_file(files.place() / "run" / "metrics.csv", request.target);
+    const fs::path run = files.place() / "run";
+    fs::rename(run / "summary.json", files.place() / facts.filename());
+    fs::rename(run / "metrics.csv", files.place() / request.target.filename());
+    fs::remove_all(run);
+    files.commit(recording.scene());
 }
 
 namespace {
@@ -122,6 +116,7 @@ void write_meshes(const ExportRequest& request, const Recording& recording, cons
     const Scene& scene = recording.scene();
     const std::vector<int> places = chosen_frames(recording, request);
     const double frame_time = scene.parameters.get("solver.frame_time");
+    require_file_names(scene);
     StagedFiles files(request.target);
     MetricsEngine metrics(recording, request.threads);
     std::map<std::string, std::vector<std::pair<double, std::string>>> series;
@@ -155,7 +150,7 @@ void write_meshes(const ExportRequest& request, const Recording& recording, cons
         }
     }
     for (const auto& [name, steps] : series)
-        write_series_file(files.place() / (name + ".pvd"), steps);
+        write_series_file(files.place() / (file_name_for(name) + ".pvd"), steps);
     files.commit(scene);
 }
 
@@ -257,18 +252,17 @@ std::string reason_against_video() {
 }
 
 void write_metrics_json(const ExportRequest& request, const Recording& recording, const JobControl& control) {
-    check_no_input(request.target, recording.scene());
     std::error_code ignored;
-    StagedFiles files(fs::absolute(request.target, ignored).parent_path());
-    write_run(files.place() / "run", recording, false, request.threads, control);
-    write_file(request.target, metrics_json(files.place() / "run"));
+    StagedFiles files(fs::absolute(request.target, ignored).parent_path(), StagedFiles::Use::shared);
+    const fs::path run = files.place() / "run";
+    write_run(run, recording, false, request.threads, control);
+    write_file(files.place() / request.target.filename(), metrics_json(run));
+    fs::remove_all(run);
+    files.commit(recording.scene());
 }
 
 void write_run_folder(const ExportRequest& request, const Recording& recording, const JobControl& control) {
-    without_inputs(request.target, recording.scene());
-    StagedFiles files(request.target);
-    write_run(files.place(), recording, true, request.threads, control);
-    files.commit(recording.scene());
+    write_run(request.target, recording, true, request.threads, control);
 }
 
 } // namespace fascicle::output

@@ -3,6 +3,7 @@
 #include "fascicle/io/animation_file.hpp"
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/mesh_file.hpp"
+#include "fascicle/io/mesh_hints.hpp"
 #include "support/moving_bodies.hpp"
 #include "support/temp_dir.hpp"
 
@@ -211,6 +212,8 @@ TEST_CASE("A glTF or USD can be opened as a mesh: its first frame", "[io][animat
         const MeshFile mesh = read_mesh_file(file.parent_path() / "wrong.stl");
         CHECK(mesh.mesh.triangle_count() == 32 + 12 + 12);
         CHECK(mesh.lines.lines.size() == 2);
+        CHECK(read_mesh_hints(file.parent_path() / "wrong.stl").millimetres ==
+              Approx(std::string(key) == "glb" ? 1000 : 1));
         Points first;
         points_in_frame(std::string(key) == "glb" ? in_metres(animation.bodies[0], 3) : animation.bodies[0],
                         0, first);

@@ -6,10 +6,10 @@
 #include "io/formats/gltf_read.hpp"
 #include "io/formats/gltf_write.hpp"
 #include "io/formats/point_cache.hpp"
-#include "io/formats/pvd.hpp"
 #include "io/formats/usda_read.hpp"
 #include "io/formats/usda_write.hpp"
 #include "support/moving_bodies.hpp"
+#include "support/temp_dir.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstring>
@@ -231,15 +231,19 @@ TEST_CASE("hostile USD text is refused with a reason", "[io][malformed][animatio
 }
 
 TEST_CASE("A series for ParaView names only files below its own folder", "[io][malformed][animation]") {
-    const auto error = [](const std::string& sets) {
+    const TempDir folder;
+    const auto error = [&](const std::string& sets) {
+        const std::filesystem::path file = folder.path() / "f.pvd";
+        write_file(file, "<VTKFile type=\"Collection\"><Collection>" + sets + "</Collection></VTKFile>");
         try {
-            io::read_pvd("<VTKFile type=\"Collection\"><Collection>" + sets + "</Collection></VTKFile>", "f");
+            read_animation(file);
         } catch (const Error& e) {
             return std::string(e.what());
         }
         return std::string("no error");
     };
-    CHECK(error("<DataSet timestep=\"0\" file=\"frames/a.vtp\"/>") == "no error");
+    CHECK_THAT(error("<DataSet timestep=\"0\" file=\"frames/a.vtp\"/>"),
+               Catch::Contains("frames/a.vtp: ")); // it is not there
     CHECK_THAT(error("<DataSet timestep=\"0\" file=\"../../etc/passwd\"/>"), Catch::Contains("not below"));
     CHECK_THAT(error("<DataSet timestep=\"0\" file=\"/etc/passwd\"/>"), Catch::Contains("not below"));
     CHECK_THAT(error("<DataSet timestep=\"0\" file=\"a\"/><DataSet timestep=\"0\" file=\"b\"/>"),

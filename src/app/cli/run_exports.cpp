@@ -28,6 +28,7 @@ std::vector<std::string> known_keys() {
     std::vector<std::string> keys{"vtp", "csv"};
     if (can_draw)
         keys.emplace_back("png");
+    keys.emplace_back("osim");
     for (const output::ExportKindRow& row : output::export_kinds())
         if (row.in_run != nullptr && (can_draw || !row.traits.draws))
             keys.emplace_back(row.key);
@@ -71,6 +72,7 @@ Exports read_exports(const std::vector<std::string>& lists) {
                             ErrorKind::usage);
             exports.vtp = exports.vtp || word == "vtp";
             exports.png = exports.png || word == "png";
+            exports.osim = exports.osim || word == "osim";
             if (row == nullptr ||
                 std::find(exports.kinds.begin(), exports.kinds.end(), row) != exports.kinds.end())
                 continue;

@@ -17,8 +17,9 @@ void add_export_options(CLI::App& app, ExportOptions& options);
 
 /// What `simulate --export KEY,KEY` asks for.
 struct Exports {
-    bool vtp = false; ///< surfaces of the frames, written while they are solved
-    bool png = false; ///< four pictures
+    bool vtp = false;  ///< surfaces of the frames, written while they are solved
+    bool png = false;  ///< four pictures
+    bool osim = false; ///< an OpenSim model of the fibres
     std::vector<const output::ExportKindRow*> kinds;
 };
 /// Error (usage) naming the known keys, and for what this machine or program cannot write.

@@ -165,8 +165,17 @@ Animation read_vtp_series(const fs::path& path) {
     out.name = path.stem().string();
     out.millimetres_per_unit = 0;
     std::vector<fs::path> files;
+    if (steps.empty())
+        throw_error(path.string(), "the series names no files", "DataSet elements");
     for (const auto& [time, name] : steps) {
-        files.push_back(path.parent_path() / name);
+        const fs::path file = name;
+        if (file.is_absolute() || std::find(file.begin(), file.end(), "..") != file.end())
+            throw_error(path.string(), "the file " + shown(name) + " is not below the series' folder",
+                        "a relative name");
+        if (!out.seconds.empty() && !(time > out.seconds.back()))
+            throw_error(path.string(), "the time of " + shown(name) + " is not after the one before",
+                        "ascending times, one part each");
+        files.push_back(path.parent_path() / file);
         out.seconds.push_back(time);
     }
     bool numbers = true; // the numbers of the files' names, where they rise

@@ -6,7 +6,6 @@
 #include "io/formats/xml_reader.hpp"
 
 #include <cmath>
-#include <filesystem>
 
 namespace fascicle::io {
 
@@ -20,37 +19,39 @@ void write_pvd(std::ostream& out, const std::vector<std::pair<double, std::strin
 
 std::vector<std::pair<double, std::string>> read_pvd(std::string_view bytes, const std::string& file) {
     XmlReader xml(bytes, file);
-    std::vector<std::pair<double, std::string>> out;
-    int depth = 0;
-    for (XmlReader::Event event = xml.next(); event != XmlReader::Event::finished; event = xml.next()) {
-        if (event == XmlReader::Event::end) {
+    std::vector<std::pair<double, std::string>> series;
+    std::string outer[2];
+    std::size_t depth = 0;
+    for (auto event = xml.next(); event != XmlReader::Event::finished; event = xml.next()) {
+        if (event == XmlReader::Event::end)
             --depth;
-            continue;
-        }
         if (event != XmlReader::Event::start)
             continue;
+        if (depth < 2)
+            outer[depth] = xml.name();
+        if (depth == 0 && (xml.name() != "VTKFile" || xml.attribute("type") != "Collection"))
+            xml.fail("not a series of files", "<VTKFile type=\"Collection\">");
+        if (depth == 2 && outer[1] == "Collection" && xml.name() == "DataSet") {
+            const std::string text = xml.attribute("timestep");
+            double time = 0;
+            if (!text.empty() && (to_double(trimmed(text), time) != NumberCheck::ok || !std::isfinite(time)))
+                xml.fail("timestep is " + shown(text), "a number");
+            if (xml.attribute("file").empty())
+                xml.fail("a step without a file", "file=\"NAME\"");
+            series.emplace_back(time, xml.attribute("file"));
+        }
         ++depth;
-        if (depth == 1 && (xml.name() != "VTKFile" || xml.attribute("type") != "Collection"))
-            xml.fail("not a series of ParaView", "<VTKFile type=\"Collection\">");
-        if (xml.name() != "DataSet")
-            continue;
-        double time = 0;
-        if (to_double(xml.attribute("timestep"), time) != NumberCheck::ok || !std::isfinite(time))
-            xml.fail("a bad timestep: " + shown(xml.attribute("timestep")), "a number");
-        if (!out.empty() && !(time > out.back().first))
-            xml.fail("a timestep that is not after the one before", "ascending times, one part each");
-        const std::filesystem::path name = xml.attribute("file");
-        bool outside = name.empty() || name.is_absolute();
-        for (const auto& part : name)
-            outside = outside || part == "..";
-        if (outside)
-            xml.fail("the file " + shown(xml.attribute("file")) + " is not below the series' folder",
-                     "a relative name");
-        out.emplace_back(time, xml.attribute("file"));
     }
-    if (out.empty())
-        throw_error(file, "the series names no files", "DataSet elements");
-    return out;
+    if (outer[0].empty())
+        xml.fail("not a series of files", "<VTKFile type=\"Collection\">");
+    return series;
+}
+
+bool looks_like_pvd(std::string_view bytes) {
+    const std::string_view head = trimmed(bytes.substr(0, 4096));
+    const std::size_t at = head.find("<VTKFile");
+    return head.substr(0, 1) == "<" && at != std::string_view::npos &&
+           head.substr(at, head.find('>', at) - at).find("\"Collection\"") != std::string_view::npos;
 }
 
 } // namespace fascicle::io
