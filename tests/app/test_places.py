@@ -169,7 +169,7 @@ class PlacesTest(ProgramTest):
             bad.write_bytes(content.encode(errors="surrogateescape"))
             with self.subTest(name):
                 # A triangle of no size is a bone that nothing touches.
-                self.each_reader_refuses(bad, ["bad"], skip=("body",) if name == "a tiny number" else ())
+                self.each_reader_refuses(bad, ["bad"], skip=("body", "info") if name == "a tiny number" else ())
 
     def test_storage_and_tables_with_long_numbers(self):
         digits = "1" * 10_000
