@@ -40,10 +40,8 @@ FileKind kind_of_table(const std::string& head, const fs::path& path, std::strin
 }
 
 bool is_mesh_extension(const std::string& extension) {
-    return std::any_of(mesh_formats().begin(), mesh_formats().end(), [&](const MeshFormat& format) {
-        return std::find(format.extensions.begin(), format.extensions.end(), extension) !=
-               format.extensions.end();
-    });
+    const std::vector<std::string> known = mesh_extensions();
+    return std::find(known.begin(), known.end(), extension) != known.end();
 }
 
 } // namespace
@@ -65,7 +63,7 @@ FileKind kind_of_file(const fs::path& path, std::string& why) {
         return kind_of_table(head, path, why);
     if (head.find("<OpenSimDocument") != std::string::npos)
         return FileKind::model;
-    if (!head.empty() && recognise_format(head, path) != nullptr)
+    if (recognise_file(path) != nullptr)
         return FileKind::mesh;
     if (lower(head).find("\nendheader") != std::string::npos)
         return FileKind::storage;

@@ -6,7 +6,7 @@
 namespace fascicle::editor {
 
 struct ExportChoices {
-    output::ExportKind kind = output::ExportKind::picture;
+    std::string kind = "picture"; ///< key of output::export_kinds()
     std::filesystem::path folder; ///< empty: the current one
     std::string name;             ///< without extension; empty: the scene's
     int scale = 2;                ///< pictures: times the view; 0: width and height

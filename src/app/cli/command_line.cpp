@@ -27,10 +27,13 @@ struct Added {
     std::function<int()> run;
 };
 
-std::vector<Added> add_commands(CLI::App& app) {
+/// All commands, for the list in the help; options only for the one that is asked for.
+std::vector<Added> add_commands(CLI::App& app, std::string_view asked_for) {
     std::vector<Added> added;
     for (const Command& command : commands()) {
         CLI::App* sub = app.add_subcommand(command.name, command.line);
+        if (command.name != asked_for)
+            continue;
         sub->allow_extras(); // what is left over is reported by check_leftovers, with a suggestion
         sub->footer(std::string("Examples:\n") + command.examples);
         added.push_back({sub, command.add(*sub)});
@@ -87,29 +90,6 @@ void check_command(int argc, char** argv) {
                     ErrorKind::usage);
 }
 
-int parse_and_run(int argc, char** argv) {
-    CLI::App app("Deforms skeletal muscles with position-based dynamics.", "fascicle");
-    app.get_formatter()->column_width(32);
-    app.set_version_flag("--version", std::string("fascicle ") + program_version(),
-                         "Print the version and exit");
-    app.footer(closing);
-    const std::vector<Added> added = add_commands(app);
-    check_command(argc, argv);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::Success& asked) { // --help, --version
-        return app.exit(asked);
-    } catch (const CLI::ParseError& error) {
-        throw_error(argv[1], error.what(), {}, ErrorKind::usage);
-    }
-    for (const Added& command : added)
-        if (command.app->parsed()) {
-            check_leftovers(*command.app, command.app->get_name());
-            return command.run();
-        }
-    return 0;
-}
-
 int complain(const std::string& message, int code) {
     std::cout.flush();
     std::cerr << "fascicle: " << one_line(message) << std::endl;
@@ -118,11 +98,36 @@ int complain(const std::string& message, int code) {
 
 } // namespace
 
+std::function<int()> parse_command_line(int argc, char** argv) {
+    const auto app =
+        std::make_shared<CLI::App>("Deforms skeletal muscles with position-based dynamics.", "fascicle");
+    app->get_formatter()->column_width(32);
+    app->set_version_flag("--version", std::string("fascicle ") + program_version(),
+                          "Print the version and exit");
+    app->footer(closing);
+    app->require_subcommand(0, 1); // the name of another one is an operand
+    const std::vector<Added> added = add_commands(*app, argc > 1 ? argv[1] : "");
+    check_command(argc, argv);
+    try {
+        app->parse(argc, argv);
+    } catch (const CLI::Success& asked) { // --help, --version
+        return [app, asked] { return app->exit(asked); };
+    } catch (const CLI::ParseError& error) {
+        throw_error(argv[1], error.what(), {}, ErrorKind::usage);
+    }
+    for (const Added& command : added)
+        if (command.app->parsed()) {
+            check_leftovers(*command.app, command.app->get_name());
+            return command.run;
+        }
+    return [] { return 0; };
+}
+
 int run_command_line(int argc, char** argv) {
     try {
         secure_standard_streams();
         report_file_size_limit();
-        const int code = parse_and_run(argc, argv);
+        const int code = parse_command_line(argc, argv)();
         if (!flush_standard_output())
             throw_error("standard output", "cannot write");
         return code;

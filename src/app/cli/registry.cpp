@@ -7,6 +7,15 @@ const std::vector<Command>& commands() {
         {"scenes", "List the embedded scenes", "  fascicle scenes", add_scenes},
         {"info", "Tell what mesh files hold and what is wrong with them",
          "  fascicle info muscle.vtk bone.obj", add_info},
+        {"convert", "Write a mesh file in another format",
+         "  fascicle convert scan.stl scan.ply\n"
+         "  fascicle convert femur.vtk femur.obj --units m\n"
+         "  fascicle convert walk.mot walk.csv",
+         add_convert},
+        {"repair", "Make a closed, manifold, consistently oriented mesh of a broken one, or say why not",
+         "  fascicle repair iliacus_raw.vtk iliacus.vtk\n"
+         "  fascicle repair scan.obj muscle.vtk --fill 300 --smooth 10 --edge 2.5 --report muscle.json",
+         add_repair},
         {"simulate", "Run a scene and write numbers, meshes and pictures",
          "  fascicle simulate --scene hip --export vtp,png --out out/hip\n"
          "  fascicle simulate --muscle gluteus.vtk --bone pelvis.obj --moving-bone femur.vtk\n"

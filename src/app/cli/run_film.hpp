@@ -20,7 +20,7 @@ struct FilmOptions {
     std::filesystem::path out; ///< a folder, or a .gif or .mp4 file
 
     /// By the name of `out`. Error (usage) for another extension, and for a speed or a transparency that it cannot have.
-    output::ExportKind kind() const;
+    std::string kind() const;
 };
 
 /// Draws the frames and writes them. SIGINT and SIGTERM end it with an Error; nothing is left then.

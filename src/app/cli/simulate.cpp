@@ -8,6 +8,7 @@
 #include "fascicle/base/interrupt.hpp"
 #include "fascicle/base/suggest.hpp"
 #include "fascicle/base/text.hpp"
+#include "fascicle/io/osim_export.hpp"
 #include "fascicle/io/output_folder.hpp"
 #include "fascicle/io/run_writer.hpp"
 #include "fascicle/metrics/metric_table.hpp"
@@ -27,6 +28,7 @@ struct SimulateOptions {
     SolveOptions solve;
     std::string out;
     std::vector<std::string> exports;
+    std::string axes = "opensim";
     int every = 1;
     bool quiet = false;
 };
@@ -45,22 +47,24 @@ std::vector<std::vector<NamedArray>> point_arrays(const MetricsEngine& metrics, 
 struct Exports {
     bool vtp = false;
     bool png = false;
+    bool osim = false;
 };
 
 Exports read_exports(const std::vector<std::string>& lists) {
-    const std::vector<std::string> known{"vtp", "csv", "png"};
+    const std::vector<std::string> known{"vtp", "csv", "png", "osim"};
     Exports exports;
     for (const std::string& list : lists)
         for (const std::string& word : split(list, ',')) {
             if (std::find(known.begin(), known.end(), word) == known.end())
-                throw_error("--export", "got '" + word + "'" + did_you_mean(word, known), "vtp, csv, png",
-                            ErrorKind::usage);
+                throw_error("--export", "got '" + word + "'" + did_you_mean(word, known),
+                            "vtp, csv, png, osim", ErrorKind::usage);
             exports.vtp = exports.vtp || word == "vtp";
             exports.png = exports.png || word == "png";
+            exports.osim = exports.osim || word == "osim";
         }
 #ifndef FASCICLE_HAS_VIEW
     if (exports.png)
-        throw_error("--export", "this program was built without drawing", "vtp, csv", ErrorKind::usage);
+        throw_error("--export", "this program was built without drawing", "vtp, csv, osim", ErrorKind::usage);
 #endif
     return exports;
 }
@@ -81,6 +85,9 @@ int simulate(const SimulateOptions& options) {
     const Exports exports = read_exports(options.exports);
     LoadedScene loaded = load(options.source, options.solve);
     const int threads = thread_count(options.solve);
+    if (exports.osim && loaded.scene.parameters.get_choice("fibres.method") == "none")
+        throw_error("--export osim", "fibres.method is none: there would be nothing to write",
+                    "--set fibres.method=kukacka, chmd or streamlines", ErrorKind::usage);
     const auto scene = std::make_shared<const Scene>(std::move(loaded.scene));
 
     without_inputs(options.out, *scene, input_files(options.source, options.solve));
@@ -105,23 +112,35 @@ int simulate(const SimulateOptions& options) {
         const FibreMeasure* fibres = metrics->muscle(m).fibres();
         series.push_back(fibres != nullptr ? &fibres->series() : nullptr);
     }
-    std::function<void(const std::filesystem::path&)> pictures;
+    std::string osim_summary;
+    const auto exports_beside = [&](const std::filesystem::path& place) {
+        if (recording->state() == RunState::cancelled)
+            return;
 #ifdef FASCICLE_HAS_VIEW
-    if (exports.png && recording->state() != RunState::cancelled)
-        pictures = [&](const std::filesystem::path& place) {
+        if (exports.png) {
             progress.update({"pictures", 0, 0, 0}, steady_seconds());
             output::write_run_pictures(*recording, place);
             progress.finish();
-        };
+        }
 #endif
+        if (exports.osim) {
+            OsimExportOptions osim;
+            osim.axes = options.axes == "as-is" ? AxisMapping::as_is : AxisMapping::lps_to_opensim;
+            osim.threads = threads;
+            const OsimExportReport report = export_osim(place, *recording, osim);
+            osim_summary = report.model.filename().string() + ": " + report.summary;
+        }
+    };
     if (recording->frame_count() > 0)
-        writer.finish(*recording, series, pictures);
+        writer.finish(*recording, series, exports_beside);
     if (recording->state() == RunState::cancelled)
         report_cancelled(*recording, options.out);
     if (!options.quiet) {
         for (const std::string& note : recording->notes())
             std::cout << "note: " << one_line(note) << '\n';
         table.print(std::cout, *recording);
+        if (!osim_summary.empty())
+            std::cout << one_line(osim_summary) << '\n';
         std::cout << "written to " << one_line(options.out) << '\n';
     }
     return 0;
@@ -134,8 +153,11 @@ std::function<int()> add_simulate(CLI::App& app) {
     add_source_options(app, options->source);
     add_text(app, "--out", options->out, "DIR", "Folder for everything that is written");
     add_solve_options(app, options->solve);
-    add_texts(app, "--export", options->exports, "vtp,csv,png",
-              "What to write beside the tables: vtp surfaces, png pictures");
+    add_texts(
+        app, "--export", options->exports, "vtp,csv,png,osim",
+        "What to write beside the tables: vtp surfaces, png pictures, osim an OpenSim model of the fibres");
+    add_choice(app, "--axes", options->axes, {"opensim", "as-is"},
+               "Of the OpenSim model: X anterior, Y up, Z right of a scene in LPS, or the scene's own");
     add_whole(app, "--every", options->every, 1, 1000000, "K",
               "Write every K-th frame's surfaces, and the last");
     app.add_flag("--quiet", options->quiet, "No progress and no closing table");

@@ -15,26 +15,11 @@
 namespace fascicle::editor {
 
 namespace fs = std::filesystem;
-using output::ExportKind;
 
 namespace {
 
 constexpr const char* popup_name = "Export";
 constexpr float label_width = 96;
-
-// Font Awesome 4.7, in the order of ExportKind.
-constexpr Icon kind_icons[] = {
-    {"\xEF\x80\xBE", ""}, // U+F03E picture
-    {"\xEF\x87\x85", ""}, // U+F1C5 numbered pictures
-    {"\xEF\x80\x88", ""}, // U+F008 GIF
-    {"\xEF\x80\xBD", ""}, // U+F03D video
-    {"\xEF\x86\xB3", ""}, // U+F1B3 meshes
-    {"\xEF\x86\xB2", ""}, // U+F1B2 mesh
-    {"\xEF\x83\x89", ""}, // U+F0C9 fibres
-    {"\xEF\x83\x8E", ""}, // U+F0CE metrics
-    {"\xEF\x81\xBB", ""}, // U+F07B run
-    {"\xEF\x83\xB6", ""}, // U+F0F6 report
-};
 
 /// Text of a colour, wrapped to the width.
 void paragraph(ImU32 colour, const std::string& text, float width) {
@@ -199,11 +184,11 @@ void ExportDialog::draw_kinds(EditorContext& context, ImVec2 size) {
         for (const output::ExportKindRow& row : output::export_kinds()) {
             const ImVec2 at = ImGui::GetCursorScreenPos();
             const float width = ImGui::GetContentRegionAvail().x;
-            const bool chosen = context.state.exporting.kind == row.kind;
-            const std::string reason = reason_against(context, row.kind);
+            const bool chosen = context.state.exporting.kind == row.key;
+            const std::string reason = reason_against(context, row.key);
             ImGui::PushID(row.key);
             if (ImGui::Selectable("##kind", chosen, 0, {width, line})) {
-                context.state.exporting.kind = row.kind;
+                context.state.exporting.kind = row.key;
                 problem_.clear();
                 instead_.clear();
                 browsing_ = false;
@@ -217,8 +202,7 @@ void ExportDialog::draw_kinds(EditorContext& context, ImVec2 size) {
             const float x = at.x + context.px(12), mark = context.px(22);
             if (icons_available())
                 draw_text_in(list, {{x, at.y}, {x + mark, at.y + line}},
-                             chosen ? theme.accent : theme.text_dim,
-                             kind_icons[static_cast<std::size_t>(row.kind)].glyph, Align::centre);
+                             chosen ? theme.accent : theme.text_dim, row.icon, Align::centre);
             draw_text_in(list,
                          {{x + mark + context.px(10), at.y}, {at.x + width - context.px(6), at.y + line}},
                          text, row.label);
@@ -242,7 +226,7 @@ void ExportDialog::draw_options(EditorContext& context, ImVec2 size) {
     } else {
         if (row.traits.frames)
             draw_frames(context);
-        else if (choices.kind == ExportKind::picture || choices.kind == ExportKind::mesh) {
+        else if (row.traits.one) {
             label(context, "Frame");
             ImGui::TextUnformatted(
                 (std::to_string(request(context).frame) + ", the one that is shown").c_str());
@@ -254,7 +238,7 @@ void ExportDialog::draw_options(EditorContext& context, ImVec2 size) {
             draw_size(context);
         if (row.traits.speed)
             draw_speed(context);
-        if (choices.kind == ExportKind::gif) {
+        if (choices.kind == "gif") {
             label(context, "Colours");
             ImGui::Checkbox("Dither", &choices.dither);
             record_item("export/dither");
@@ -409,14 +393,13 @@ void ExportDialog::draw_size(EditorContext& context) {
 
 void ExportDialog::draw_speed(EditorContext& context) {
     ExportChoices& choices = context.state.exporting;
-    const double most = choices.kind == ExportKind::gif ? gif_most_fps : 120.0;
+    const double most = choices.kind == "gif" ? gif_most_fps : 120.0;
     label(context, "Speed");
     ImGui::SetNextItemWidth(context.px(64));
     ImGui::InputDouble("##fps", &choices.fps, 0, 0, "%.4g");
     record_item("export/fps");
-    item_tooltip(choices.kind == ExportKind::gif
-                     ? "Pictures a second, 1 to 50; a GIF cannot be faster.\nDefault: 25."
-                     : "Pictures a second, 1 to 120.\nDefault: 25.");
+    item_tooltip(choices.kind == "gif" ? "Pictures a second, 1 to 50; a GIF cannot be faster.\nDefault: 25."
+                                       : "Pictures a second, 1 to 120.\nDefault: 25.");
     choices.fps = choices.fps >= 1 ? std::min(choices.fps, most) : 1;
     ImGui::SameLine(0, context.px(8));
     ImGui::TextUnformatted(speed_text(context, picture_count(context), request(context)).c_str());
