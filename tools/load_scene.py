@@ -119,7 +119,7 @@ def run(name, command, limit_gb, environment):
     return took
 
 
-def measure(program, folder, muscles=20, bones=12, triangles=1_500_000, frames=10, limit_gb=4.0, ui=True):
+def measure(program, folder, muscles=20, bones=12, triangles=1_500_000, frames=10, limit_gb=4.0, draws=True):
     """Everything: a list of {step, seconds, peak_mb}, and the summary of the run."""
     source, total = write_scene(folder / "scene", muscles, bones, triangles)
     print(f"{muscles} muscles, {bones} bones, {total} triangles, {frames} frames; at most {limit_gb} GB each", flush=True)
@@ -131,10 +131,10 @@ def measure(program, folder, muscles=20, bones=12, triangles=1_500_000, frames=1
     summary = json.loads((folder / "run" / "summary.json").read_text())
     print(f"    prepared in {summary['prepare_seconds']:.2f} s, {summary['fps_median']:.2f} frames/s", flush=True)
     steps.append(run("simulate, cache warm", [*simulate, str(folder / "run")], limit_gb, cache))
-    picture = [program, "render", str(folder / "run"), "--frame", str(frames), "--size", "1280x800", "--quiet", "--out"]
-    steps.append(run("render, viewport", [*picture, str(folder / "view.png")], limit_gb, cache))
-    if ui:
-        steps.append(run("render, whole editor", [*picture, str(folder / "editor.png"), "--ui"], limit_gb, cache))
+    if draws:
+        picture = [program, "render", str(folder / "run"), "--frame", str(frames), "--size", "1280x800", "--quiet", "--out"]
+        steps += [run("render, viewport", [*picture, str(folder / "view.png")], limit_gb, cache),
+                  run("render, whole editor", [*picture, str(folder / "editor.png"), "--ui"], limit_gb, cache)]
     return steps, summary
 
 

@@ -84,7 +84,7 @@ std::vector<fs::path> files_below(const fs::path& folder) {
 }
 
 [[noreturn]] void fail(const fs::path& path, const std::string& what, const std::error_code& error) {
-    throw_error(path.string(), what + ": " + error.message());
+    throw_error(shown_path(path), what + ": " + error.message());
 }
 
 fs::path without_slash(const fs::path& folder) {

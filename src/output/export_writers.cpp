@@ -81,9 +81,13 @@ void write_metrics(const ExportRequest& request, const Recording& recording, con
     StagedFiles files(fs::absolute(request.target, ignored).parent_path(), StagedFiles::Use::shared);
     write_run(files.place() / "run", recording, false, request.threads, control);
     const fs::path run = files.place() / "run";
-    fs::rename(run / "summary.json", files.place() / facts.filename());
-    fs::rename(run / "metrics.csv", files.place() / request.target.filename());
-    fs::remove_all(run);
+    std::error_code error;
+    fs::rename(run / "summary.json", files.place() / facts.filename(), error);
+    if (!error)
+        fs::rename(run / "metrics.csv", files.place() / request.target.filename(), error);
+    if (error)
+        throw_error(request.target.string(), "cannot write: " + error.message());
+    fs::remove_all(run, error);
     files.commit(recording.scene());
 }
 
