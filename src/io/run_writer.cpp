@@ -8,6 +8,7 @@
 #include "fascicle/io/line_table.hpp"
 #include "fascicle/io/mesh_file.hpp"
 #include "fascicle/io/output_folder.hpp"
+#include "fascicle/io/series_file.hpp"
 #include "fascicle/io/staged_files.hpp"
 #include "fascicle/metrics/metric_table.hpp"
 #include "fascicle/scene/line_muscles.hpp"
@@ -215,11 +216,16 @@ void RunWriter::Impl::write_fibres(const Recording& recording,
             continue;
         present.push_back(series[m]);
         FibreSet fibres = series[m]->rest();
+        std::vector<std::pair<double, std::string>> steps;
         for (const int k : vtp_frames) {
             models.at(m)->carrier.carry(*recording.frame(k)->muscle_positions[m], fibres.points);
             write_mesh_file(folder / fibre_file(scene->muscles[m].name, k),
                             fibre_lines(*series[m], k, fibres));
+            steps.emplace_back(k * scene->parameters.get("solver.frame_time"),
+                               fibre_file(scene->muscles[m].name, k).filename().string());
         }
+        if (!steps.empty())
+            write_series_file(folder / "fibres" / io::series_file(scene->muscles[m].name), steps);
     }
     if (!present.empty())
         write_fibre_table(folder / "fibres.csv", present);

@@ -81,6 +81,9 @@ void print_file(const std::string& path) {
         return print_series(path, bytes);
     const MeshFile file = read_mesh_bytes(bytes, path);
     BoundingBox box = bounding_box(file.mesh.positions, file.mesh.triangles);
+    const bool points_alone = file.mesh.triangles.empty();
+    for (const Vec3& p : points_alone ? file.mesh.positions : Points())
+        box.add(p);
     for (const Vec3& p : file.lines.points)
         box.add(p);
     std::cout << one_line(path) << '\n';
@@ -91,6 +94,8 @@ void print_file(const std::string& path) {
     print_hints(find_mesh_hints(bytes));
     if (!file.mesh.triangles.empty())
         print_surface(file, unit);
+    if (points_alone && !file.mesh.positions.empty())
+        print("points", std::to_string(file.mesh.vertex_count()) + ", no surface");
     if (!file.lines.lines.empty())
         print("polylines", std::to_string(file.lines.lines.size()));
     if (!file.point_arrays.empty())
