@@ -2,6 +2,7 @@
 
 #include "fascicle/base/error.hpp"
 #include "fascicle/scene/line_muscles.hpp"
+#include "fascicle/scene/model_motion.hpp"
 #include "io/run_files.hpp"
 
 #include <set>
@@ -37,6 +38,8 @@ const fs::path& without_inputs(const fs::path& folder, const Scene& scene) {
                         "another output folder", ErrorKind::usage);
     };
     check(scene.motion_source);
+    if (scene.model_motion != nullptr)
+        check(scene.model_motion->model_source);
     if (scene.line_muscles != nullptr)
         check(scene.line_muscles->source);
     for (const Bone& bone : scene.bones)

@@ -6,6 +6,8 @@
 #include "fascicle/geometry/volume.hpp"
 #include "fascicle/io/load_scene.hpp"
 #include "fascicle/io/mesh_file.hpp"
+#include "fascicle/io/mesh_hints.hpp"
+#include "fascicle/io/unit_guess.hpp"
 
 #include <CLI/CLI.hpp>
 #include <iomanip>
@@ -41,6 +43,16 @@ void print_surface(const MeshFile& file, const std::string& unit) {
                                     : "none, the surface is open");
 }
 
+/// What the header says of unit and axes: told, never acted on.
+void print_hints(const std::string& path) {
+    const MeshHints hints = read_mesh_hints(path);
+    if (hints.millimetres)
+        print("header", "1 unit = " + text(*hints.millimetres) + " mm");
+    if (hints.space)
+        print("axes", *hints.space == MeshSpace::ras ? "RAS (the header says so): x right, y anterior"
+                                                     : "LPS (the header says so)");
+}
+
 void print_file(const std::string& path) {
     const MeshFile file = read_mesh_file(path);
     BoundingBox box = bounding_box(file.mesh.positions, file.mesh.triangles);
@@ -48,9 +60,12 @@ void print_file(const std::string& path) {
         box.add(p);
     std::cout << path << '\n';
     print("format", file.format);
-    const std::string unit = to_text(guess_unit(box.diagonal()));
+    const UnitGuess guess = guess_length_unit(box.diagonal());
+    const std::string unit = to_text(guess.unit);
     if (!box.empty())
-        print("unit", unit + " (guessed from the size)");
+        print("unit",
+              unit + " (guessed from the size" + (guess.sure ? ")" : ", which fits neither m nor mm)"));
+    print_hints(path);
     if (!file.mesh.triangles.empty())
         print_surface(file, unit);
     if (!file.lines.lines.empty())
@@ -65,6 +80,8 @@ void print_file(const std::string& path) {
     const std::vector<std::string> findings = file.report.lines();
     for (const std::string& finding : findings)
         print("defect", finding);
+    if (is_inside_out(file.report))
+        print("defect", inside_out_words);
     if (findings.empty())
         print("defects", "none");
 }

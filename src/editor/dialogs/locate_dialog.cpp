@@ -16,7 +16,7 @@ namespace {
 
 /// What a project may refer to.
 std::vector<std::string> extensions() {
-    std::vector<std::string> all{".csv", ".json", ".osim"};
+    std::vector<std::string> all{".csv", ".json", ".osim", ".mot", ".sto"};
     for (const MeshFormat& format : mesh_formats())
         all.insert(all.end(), format.extensions.begin(), format.extensions.end());
     return all;
