@@ -1,4 +1,5 @@
 // The model and trial of a project.
+#include "fascicle/base/error.hpp"
 #include "fascicle/scene/line_muscles.hpp"
 #include "fascicle/scene/model_motion.hpp"
 #include "io/osim_scene/osim_scene.hpp"
@@ -19,7 +20,7 @@ void ProjectReader::opensim(const JsonFields& entry, Scene& scene) {
     bool known_axes = false;
     for (const AxisMappingRow& row : axis_mappings())
         if (motion.axes == row.key) {
-            motion.axis_matrix = axis_matrix(row.mapping);
+            motion.ground.rotation = axis_matrix(row.mapping);
             known_axes = true;
         }
     if (!known_axes)
@@ -41,7 +42,16 @@ void ProjectReader::opensim(const JsonFields& entry, Scene& scene) {
             item.fail("body", "the model has no body '" + item.text("body") + "'", "a body of the model");
         motion.bone_of_body[static_cast<std::size_t>(body)] = item.text("bone");
     }
-    read_trial_of(motion, resolved(trial), *notes_);
+    try {
+        read_trial_of(motion, resolved(trial), *notes_);
+    } catch (const Error& error) {
+        if (motion.trial_source.hash.empty() || motion.trial_source.hash == trial.text("hash"))
+            throw;
+        // Another trial under the same name: what the project itself has still counts.
+        notes_->push_back(std::string(error.what()) +
+                          "; the project's own motion stays, without the model's coordinates and lines");
+        return;
+    }
     if (entry.has("coordinate")) {
         motion.coordinate = skeleton.coordinate_index(entry.text("coordinate"));
         if (motion.coordinate < 0)

@@ -126,8 +126,9 @@ double LineTracker::model_arm(int coordinate) {
     coordinate_rates(skeleton, posture_.q, coordinate, rates);
     body_twists(skeleton, posture_.q, rates, poses, twists);
     for (Twist& twist : twists) {
-        twist.angular = trial_->axis_matrix * twist.angular;
-        twist.linear = trial_->axis_matrix * twist.linear;
+        twist.angular = trial_->ground.rotation * twist.angular;
+        twist.linear =
+            trial_->ground.rotation * twist.linear - twist.angular.cross(trial_->ground.translation);
     }
     return solver_.moment_arm(twists, rates, posture_);
 }

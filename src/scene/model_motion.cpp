@@ -28,17 +28,16 @@ const char* to_text(MeshFrame frame) {
 }
 
 /// In the lead-in a scan's rest, which the model meets only nearly, goes over into the model's own place:
-///   S(k) = axes X(q) C, C = screw(X(q_rest)^-1 axes^-1 rest, identity; k / lead_in).
+///   S(k) = ground X(q) C, C = screw(X(q_rest)^-1 ground^-1 rest, identity; k / lead_in).
 Pose ModelMotion::body_pose(std::size_t body, int frame, std::span<const Pose> poses) const {
     if (frame <= 0)
         return rest[body];
-    const Pose turned{axis_matrix, Vec3::Zero()};
-    const Pose place = turned.after(poses[body]);
+    const Pose place = ground.after(poses[body]);
     if (mesh_frame != MeshFrame::scan || frame >= lead_in)
         return place;
     std::vector<Pose> still;
     place_bodies(model->skeleton, rest_values, still);
-    const Pose left_over = turned.after(still[body]).inverse().after(rest[body]);
+    const Pose left_over = ground.after(still[body]).inverse().after(rest[body]);
     return place.after(screw_between(left_over, Pose{}, double(frame) / lead_in));
 }
 
@@ -83,6 +82,8 @@ Timeline model_motion_timeline(const ModelMotion& motion, const Scene& scene) {
                 continue;
             const auto b = static_cast<std::size_t>(body_of[bone]);
             Pose pose = motion.body_pose(b, k, poses).after(motion.rest[b].inverse());
+            if ((pose.rotation - Mat3::Identity()).norm() < 1e-12 && pose.translation.norm() < 1e-12)
+                pose = {}; // what is left of a bone that stays
             pose.translation *= units;
             std::vector<PoseKey>& keys = timeline.bone_tracks[bone].keys;
             const PoseKey key{double(k), pose};

@@ -1,6 +1,7 @@
 // Scenes from a small OpenSim model and a trial: bones, frames, meshes, projects, and what can be wrong.
 #include "fascicle/base/error.hpp"
 #include "fascicle/base/state_hash.hpp"
+#include "fascicle/geometry/solid_query.hpp"
 #include "fascicle/geometry/volume.hpp"
 #include "fascicle/io/project_file.hpp"
 #include "fascicle/metrics/line_series.hpp"
@@ -136,7 +137,7 @@ TEST_CASE("Uneven steps, gaps, jumps and doubtful units of a trial are told", "[
                 "28\t0.8\t1\n");
     const LoadedScene loaded = load_scene(files.request());
     CHECK(says(loaded, "time steps are uneven (0.02 to 0.2 s)"));
-    CHECK(says(loaded, "1 gap, the widest of 0.2 s before line 8"));
+    CHECK(says(loaded, "1 gap, the widest of 0.2 s before line 9"));
     CHECK(says(loaded, "jumps between frames: elbow_q by 28.6"));
     CHECK(says(loaded, "no coordinates: knee"));
     CHECK(loaded.scene.timeline.last_frame == 14); // first row is rest
@@ -152,12 +153,12 @@ TEST_CASE("Trials that cannot be followed are refused with their line", "[io][os
         files.trial(rows);
         CHECK_THAT(error_of(files.request()), Contains("trial.mot") && Contains(what));
     };
-    fails("time\telbow_q\n0\t0\n0.1\tnan\n", "line 5");
-    fails("time\telbow_q\n0\t0\n0.1\t0.1\n0.1\t0.2\n", "line 6: the time does not ascend");
+    fails("time\telbow_q\n0\t0\n0.1\tnan\n", "line 6");
+    fails("time\telbow_q\n0\t0\n0.1\t0.1\n0.1\t0.2\n", "line 7: the time does not ascend");
     fails("elbow_q\n0\n0.1\n", "no column 'time'");
     fails("time\telbow_q\n0\t0\n", "fewer than two rows");
     fails("time\tknee\n0\t0\n1\t1\n", "no column is a coordinate of the model");
-    fails("time\telbow_q\n0\t0\n1\t4\n", "half a turn or more before frame 1");
+    fails("time\telbow_q\n0\t0\n1\t3.14159265\n", "half a turn or more before frame 1");
     fails("time\telbow_q\n0\t0\n1\t0\n", "no bone moves");
 }
 
@@ -178,7 +179,7 @@ TEST_CASE("Meshes are found as OpenSim finds them, and missing ones are named", 
     CHECK_THAT(error_of(r), Contains("no mesh of a body was found: base (base.obj); arm_r (arm.obj)"));
     files.model("base.obj", "../../etc/passwd");
     files.ball("Geometry/base.obj", Vec3(0.2, -0.018, 0));
-    CHECK_THAT(error_of(r), Contains("no bone moves"));
+    CHECK_THAT(error_of(r), Contains("no bone moves")); // that file was not even looked at
 }
 
 TEST_CASE("Own meshes in millimetres go with a model in metres", "[io][osim_scene]") {
@@ -284,6 +285,11 @@ TEST_CASE("A project of a model gives the same run, and a missing model is named
     CHECK(changed.notes.size() == 1);
     CHECK(model_motion_in_force(changed.scene) == nullptr);
     CHECK(changed.scene.timeline.angle_rad(5) == scene.timeline.angle_rad(5));
+    files.trial("time\telbow_q\n0.5\t0.06\n0.52\t0.13\n0.54\t0.18\n");
+    const Project edited = read_project_file(files.path("p.fascicle"));
+    CHECK(edited.notes.size() == 1);
+    CHECK(edited.scene.model_motion != nullptr);
+    CHECK(model_motion_in_force(edited.scene) == nullptr);
 }
 
 TEST_CASE("Options about a model are refused where they mean nothing", "[io][osim_scene]") {

@@ -78,7 +78,7 @@ TEST_CASE("hip model and its trial: meshes in millimetres follow the model's joi
         const Pose pose = scene.timeline.bone_pose(0, k);
         for (const Vec3& p : {Vec3(143, 243, -432), Vec3(100, 280, -850)})
             worst = std::max(worst, (pose.apply(p) - wanted * p).norm());
-        CHECK(scene.timeline.bone_pose(1, k).is_identity());
+        CHECK(scene.timeline.bone_pose(1, k).is_identity()); // snapped: what is left is rounding
     }
     CHECK(worst < 1e-9);
 }

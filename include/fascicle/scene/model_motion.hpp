@@ -24,7 +24,7 @@ struct TrialReading {
 };
 
 /// A plain value. Model: metres, radians. A body's point p (its own frame) is in the scene at
-///   units * axes * X_body(q) * p,
+///   units * ground * X_body(q) * p,
 /// X_body: place_bodies of the skeleton, units = scene_units_per_metre; in frame 0, rest, at units * rest[body] * p.
 struct ModelMotion {
     std::shared_ptr<const LineModel> model;
@@ -32,7 +32,8 @@ struct ModelMotion {
     MeshFrame mesh_frame = MeshFrame::body;
     std::string axes = "as_is"; ///< key of the axis mapping
     TrialReading reading;
-    Mat3 axis_matrix = Mat3::Identity();
+    Pose
+        ground; ///< of the model's ground in the scene, metres: the axes; of a scan what puts its first body at the origin, too
     std::vector<std::string> bone_of_body; ///< one per body: name of its bone, or empty
     std::vector<Pose> rest;                ///< one per body, scene axes, metres
     std::vector<double> rest_values;       ///< one per coordinate: the posture at rest

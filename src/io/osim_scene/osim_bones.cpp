@@ -1,8 +1,10 @@
 #include "io/osim_scene/osim_bones.hpp"
 
+#include "fascicle/io/format_registry.hpp"
 #include "fascicle/io/mesh_file.hpp"
 #include "io/formats/text_scanner.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace fascicle::io {
@@ -12,6 +14,15 @@ namespace {
 bool is_file(const fs::path& path) {
     std::error_code error;
     return fs::is_regular_file(path, error);
+}
+
+/// A model may name any file; only those are looked at that are called as meshes are.
+bool is_mesh_name(const std::string& name) {
+    const std::string extension = lower_case(fs::path(name).extension().string());
+    for (const MeshFormat& format : mesh_formats())
+        if (std::count(format.extensions.begin(), format.extensions.end(), extension) > 0)
+            return true;
+    return false;
 }
 
 /// The file of this path, or one whose name (of the last part, and of a folder before it) differs in upper and lower case alone.
@@ -43,7 +54,7 @@ std::optional<fs::path> any_case(const fs::path& folder, const fs::path& name) {
 } // namespace
 
 std::optional<fs::path> find_model_mesh(const fs::path& model, const std::string& name) {
-    if (name.empty() || name.find('\0') != std::string::npos)
+    if (name.find('\0') != std::string::npos || !is_mesh_name(name))
         return std::nullopt;
     std::string slashes = name;
     std::replace(slashes.begin(), slashes.end(), '\\', '/');

@@ -11,7 +11,8 @@ namespace fascicle::io {
 
 /// Where OpenSim looks: an absolute name as it stands; else in the model's folder, in its folder Geometry, and in Geometry of
 /// $OPENSIM_HOME. The name may have folders in front, which are tried first and then left out, with \ for / and in any case
-/// (models of Windows). Only regular files count.
+/// (models of Windows). Only regular files count whose
+/// extension is that of a mesh format.
 std::optional<std::filesystem::path> find_model_mesh(const std::filesystem::path& model,
                                                      const std::string& name);
 

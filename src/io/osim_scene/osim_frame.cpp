@@ -36,11 +36,12 @@ FramePlacement place_frame(const LineModel& model, MeshFrame frame, const Mat3& 
     const Pose turned{axes, Vec3::Zero()};
     FramePlacement placement;
     placement.frame = frame;
+    placement.ground = turned;
     placement.rest_values = model.skeleton.default_values();
     Posture posture;
     set_posture(model.skeleton, placement.rest_values, posture);
     if (frame == MeshFrame::scan) {
-        // All bodies at the place of the first one that has a bone, where the others' frames coincide with its.
+        // All bodies are where the first one with a bone is, and that is the scene's origin.
         std::size_t base = 0;
         while (base + 1 < bodies_with_bone.size() && bodies_with_bone[base] == 0)
             ++base;
@@ -50,7 +51,8 @@ FramePlacement place_frame(const LineModel& model, MeshFrame frame, const Mat3& 
         fit_posture(only_between(model.skeleton, bodies_with_bone, posture), bodies_with_bone, centres,
                     std::vector<Pose>(bodies_with_bone.size()), placement.rest_values);
         set_posture(model.skeleton, placement.rest_values, posture);
-        placement.rest.assign(bodies_with_bone.size(), turned.after(posture.poses[base]));
+        placement.ground = turned.after(posture.poses[base].inverse());
+        placement.rest.assign(bodies_with_bone.size(), turned);
         return placement;
     }
     for (const Pose& pose : posture.poses)
@@ -58,33 +60,46 @@ FramePlacement place_frame(const LineModel& model, MeshFrame frame, const Mat3& 
     return placement;
 }
 
-Pose file_pose(const FramePlacement& placement, const Mat3& axes, int body) {
-    return placement.frame == MeshFrame::ground ? Pose{axes, Vec3::Zero()}
+Pose file_pose(const FramePlacement& placement, int body) {
+    return placement.frame == MeshFrame::ground ? placement.ground
                                                 : placement.rest[static_cast<std::size_t>(body)];
 }
 
-double misfit(const FramePlacement& placement, const Mat3& axes, const std::vector<TriedMuscle>& muscles,
-              const std::vector<TriedBone>& bones) {
-    double sum = 0, count = 0;
+Misfit misfit(const FramePlacement& placement, const LineModel& model,
+              const std::vector<TriedMuscle>& muscles, const std::vector<TriedBone>& bones) {
+    constexpr double everywhere = std::numeric_limits<double>::infinity();
+    Misfit result;
+    double count = 0, ends = 0;
+    const auto bone_pose = [&](const TriedBone& bone) {
+        return bone.in_body_frame ? placement.rest[static_cast<std::size_t>(bone.body)]
+                                  : file_pose(placement, bone.body);
+    };
     for (const TriedMuscle& muscle : muscles)
         for (const int body : muscle.bodies)
             for (const TriedBone& bone : bones) {
                 if (bone.body != body)
                     continue;
-                const Pose to_bone = (bone.in_body_frame ? placement.rest[static_cast<std::size_t>(body)]
-                                                         : file_pose(placement, axes, body))
-                                         .inverse()
-                                         .after(file_pose(placement, axes, muscle.bodies.front()));
-                double least = std::numeric_limits<double>::infinity();
+                const Pose to_bone =
+                    bone_pose(bone).inverse().after(file_pose(placement, muscle.bodies.front()));
+                double least = everywhere;
                 int hint = -1;
                 for (const Vec3& p : muscle.points)
-                    least =
-                        std::min(least, bone.solid->signed_distance(
-                                            to_bone.apply(p), std::numeric_limits<double>::infinity(), hint));
-                sum += std::abs(least);
+                    least = std::min(least, bone.solid->signed_distance(to_bone.apply(p), everywhere, hint));
+                result.muscles += std::abs(least);
                 ++count;
             }
-    return count > 0 ? sum / count : 0.0;
+    for (const LineMuscle& line : model.muscles)
+        for (const PathPoint* point : {&line.points.front(), &line.points.back()})
+            for (const TriedBone& bone : bones) {
+                if (point->kind == PathPointKind::moving || point->body != bone.body || bone.in_body_frame)
+                    continue;
+                const Vec3 p = placement.rest[static_cast<std::size_t>(bone.body)].apply(point->location);
+                result.ends += std::abs(bone.solid->signed_distance(bone_pose(bone).apply_inverse(p)));
+                ++ends;
+            }
+    result.muscles /= std::max(1.0, count);
+    result.ends /= std::max(1.0, ends);
+    return result;
 }
 
 } // namespace fascicle::io

@@ -18,6 +18,7 @@ namespace {
 constexpr std::size_t tried_points = 2000;
 constexpr double far_m =
     0.05; ///< a muscle farther from its bone than this is of another frame, unit or specimen
+constexpr double same_fit_m = 5e-4; ///< the first one counts of frames that fit alike
 constexpr double clearance_m = 0.0008;
 
 } // namespace
@@ -74,29 +75,32 @@ void OsimSceneLoader::choose_frame() {
         const bool asked = std::any_of(muscles.begin(), muscles.end(), [&](const TriedMuscle& m) {
             return std::count(m.bodies.begin(), m.bodies.end(), bone.body) > 0;
         });
-        if (!asked)
+        if (!asked && bone.of_model)
             continue;
         TriMesh mesh = *bone.bone.mesh;
         for (Vec3& p : mesh.positions)
             p /= bone.of_model ? 1.0 : units_;
         bones.push_back({bone.body, bone.of_model, std::make_shared<const SolidQuery>(mesh)});
     }
-    double best = std::numeric_limits<double>::infinity();
-    std::string others;
-    const Mat3& axes = motion_.axis_matrix;
+    double best = std::numeric_limits<double>::infinity(), best_muscles = 0;
+    std::string figures;
+    const Mat3 axes = motion_.ground.rotation;
     for (const MeshFrame frame : {MeshFrame::body, MeshFrame::ground, MeshFrame::scan}) {
-        if (r_.osim.mesh_frame ? frame != *r_.osim.mesh_frame : muscles.empty() && frame != MeshFrame::body)
+        if (r_.osim.mesh_frame ? frame != *r_.osim.mesh_frame : !files && frame != MeshFrame::body)
             continue;
         FramePlacement placement = place_frame(*model_, frame, axes, with_bone);
-        const double distance = misfit(placement, axes, muscles, bones);
-        others += (others.empty() ? "" : ", ") + std::string(to_text(frame)) + ' ' +
-                  fixed(1000 * distance, 1) + " mm";
-        if (distance < best - (std::isfinite(best) ? 5e-4 : 0)) {
-            best = distance;
+        const Misfit fit = misfit(placement, *model_, muscles, bones);
+        const double total = fit.muscles + fit.ends;
+        figures += (figures.empty() ? "" : ", ") + std::string(to_text(frame)) + ' ' +
+                   fixed(1000 * total, 1) + " mm";
+        if (total < best - (std::isfinite(best) ? same_fit_m : 0)) {
+            best = total;
+            best_muscles = fit.muscles;
             placement_ = std::move(placement);
         }
     }
     motion_.mesh_frame = placement_.frame;
+    motion_.ground = placement_.ground;
     motion_.rest = placement_.rest;
     motion_.rest_values = placement_.rest_values;
     if (!files)
@@ -106,15 +110,14 @@ void OsimSceneLoader::choose_frame() {
                                    "in one frame that is that of every body, as scanned"};
     say(std::string("meshes are ") + (r_.osim.mesh_frame ? "taken to be " : "guessed to be ") +
         meaning[static_cast<int>(placement_.frame)] +
-        (muscles.empty() ? std::string()
-                         : "; muscles and bones miss each other by: " + others +
-                               (r_.osim.mesh_frame ? "" : "; --mesh-frame tells otherwise")));
+        "; muscles and ends of the model's lines miss the bones by: " + figures +
+        (r_.osim.mesh_frame ? "" : "; --mesh-frame tells otherwise"));
     if (placement_.frame == MeshFrame::scan)
         say_posture();
-    if (best > far_m)
+    if (best_muscles > far_m)
         throw_error(where_,
-                    "muscles are " + fixed(1000 * best, 0) + " mm away from or inside of their bones (" +
-                        others + ")",
+                    "muscles are " + fixed(1000 * best_muscles, 0) +
+                        " mm away from or inside of their bones (" + figures + ")",
                     "meshes of the model's specimen; --units and --mesh-frame tell how they are meant");
 }
 
@@ -145,7 +148,7 @@ void OsimSceneLoader::place_bones() {
         const MeshPtr mesh =
             entry.of_model
                 ? placed(entry.bone.mesh, placement_.rest[static_cast<std::size_t>(entry.body)], units_)
-                : placed(entry.bone.mesh, file_pose(placement_, motion_.axis_matrix, entry.body), 1);
+                : placed(entry.bone.mesh, file_pose(placement_, entry.body), 1);
         if (mesh != entry.bone.mesh)
             entry.bone.source.hash.clear(); // no longer what the file holds
         entry.bone.mesh = mesh;
@@ -174,8 +177,7 @@ void OsimSceneLoader::place_muscles() {
                     solids.push_back(std::make_shared<const SolidQuery>(*bone.mesh));
             make_stand_in(entry, solids);
         } else {
-            const MeshPtr mesh = placed(entry.muscle.mesh,
-                                        file_pose(placement_, motion_.axis_matrix, entry.bodies.front()), 1);
+            const MeshPtr mesh = placed(entry.muscle.mesh, file_pose(placement_, entry.bodies.front()), 1);
             if (mesh != entry.muscle.mesh)
                 entry.muscle.source.hash.clear();
             entry.muscle.mesh = mesh;

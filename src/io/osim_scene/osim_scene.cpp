@@ -63,7 +63,7 @@ void OsimSceneLoader::read_model() {
     motion_.model = model_;
     motion_.model_source = {where_, hash_of(bytes)};
     motion_.axes = axis_mapping_key(r_.osim.axes);
-    motion_.axis_matrix = axis_matrix(r_.osim.axes);
+    motion_.ground.rotation = axis_matrix(r_.osim.axes);
     motion_.reading = r_.osim.reading;
     if (!r_.osim.coordinate.empty())
         coordinate_named(r_.osim.coordinate);
@@ -252,7 +252,9 @@ void read_trial_of(ModelMotion& motion, const fs::path& trial, std::vector<std::
     std::vector<char> with_bone;
     for (const std::string& bone : motion.bone_of_body)
         with_bone.push_back(bone.empty() ? 0 : 1);
-    FramePlacement placement = place_frame(*motion.model, motion.mesh_frame, motion.axis_matrix, with_bone);
+    FramePlacement placement =
+        place_frame(*motion.model, motion.mesh_frame, motion.ground.rotation, with_bone);
+    motion.ground = placement.ground;
     motion.rest = std::move(placement.rest);
     motion.rest_values = std::move(placement.rest_values);
     const std::string bytes = read_file(trial, std::size_t{256} << 20);

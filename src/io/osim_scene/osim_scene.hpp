@@ -14,7 +14,7 @@ void require_no_osim_options(const OsimRequest& request);
 /// (scene.model_motion stays null), and there are no line muscles.
 LoadedScene load_osim_scene(const SceneRequest& request, const JobControl& control);
 
-/// For a project, which tells mesh_frame, axes, axis_matrix, reading, and then bone_of_body: the model; the posture at rest and
+/// For a project, which tells mesh_frame, axes, the rotation of ground, reading, and then bone_of_body: the model; the posture at rest and
 /// the frames of the trial. Error as the readers.
 void read_model_of(ModelMotion& motion, const std::filesystem::path& model);
 void read_trial_of(ModelMotion& motion, const std::filesystem::path& trial, std::vector<std::string>& notes);

@@ -71,7 +71,7 @@ private:
         const double from = motion_.reading.from_s.value_or(begin), to = motion_.reading.to_s.value_or(end);
         const double slack = 1e-6 * std::max(1.0, end - begin);
         const std::string there = short_number(begin) + " to " + short_number(end) + " s";
-        if (!(from >= begin - slack) || !(to <= end + slack))
+        if (!(from >= begin - slack) || !(to <= end + slack) || !(from <= end) || !(to >= begin))
             throw_error(table_.file,
                         "the trial does not reach from " + short_number(from) + " to " + short_number(to) +
                             " s",
