@@ -85,7 +85,7 @@ std::string temporary_start(const fs::path& path) {
 
 /// Folders from `folder` up to `highest`, as far as nothing is in them.
 void remove_empty_folders(fs::path folder, const fs::path& highest) {
-    while (!highest.empty() && ::rmdir(folder.c_str()) == 0 && folder != highest)
+    while (!highest.empty() && (::rmdir(folder.c_str()) == 0 || errno == ENOENT) && folder != highest)
         folder = folder.parent_path();
 }
 

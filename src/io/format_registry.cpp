@@ -2,11 +2,15 @@
 
 #include "fascicle/base/error.hpp"
 #include "fascicle/io/files.hpp"
+#include "io/formats/gltf_read.hpp"
+#include "io/formats/gltf_write.hpp"
 #include "io/formats/obj.hpp"
 #include "io/formats/off.hpp"
 #include "io/formats/ply.hpp"
 #include "io/formats/stl.hpp"
 #include "io/formats/text_scanner.hpp"
+#include "io/formats/usda_read.hpp"
+#include "io/formats/usda_write.hpp"
 #include "io/formats/vtk_legacy.hpp"
 #include "io/formats/vtp.hpp"
 
@@ -53,6 +57,18 @@ const std::vector<MeshFormat>& mesh_formats() {
          io::write_stl,
          {.doubles = false, .vertex_order = false}},
         {"OFF", {".off"}, io::looks_like_off, io::read_off, io::write_off, {.colours = true}},
+        {"glTF 2.0",
+         {".glb"},
+         io::looks_like_glb,
+         io::read_glb_mesh,
+         io::write_glb_mesh,
+         {.lines = true, .doubles = false}},
+        {"USD text",
+         {".usda"},
+         io::looks_like_usda,
+         io::read_usda_mesh,
+         io::write_usda_mesh,
+         {.lines = true, .doubles = false}},
         {"OBJ", {".obj"}, io::looks_like_obj, io::read_obj, io::write_obj, {.lines = true}},
     };
     return formats;

@@ -3,6 +3,7 @@
 #include "fascicle/base/assert.hpp"
 #include "fascicle/base/build_info.hpp"
 #include "fascicle/base/error.hpp"
+#include "fascicle/base/text.hpp"
 #include "fascicle/base/parallel.hpp"
 #include "fascicle/geometry/bounding_box.hpp"
 #include "fascicle/geometry/vertex_normals.hpp"
@@ -73,8 +74,8 @@ private:
 
     void name_files(const fs::path& folder) {
         model_.name = osim_name(scene_.name, "model");
-        report_.model = folder / (model_.name + ".osim");
-        report_.motion = folder / (model_.name + ".mot");
+        report_.model = folder / (file_name_for(model_.name) + ".osim");
+        report_.motion = folder / (file_name_for(model_.name) + ".mot");
         report_.table = folder / "osim_report.csv";
         report_.facts = folder / "osim_report.json";
         std::vector<fs::path> files{report_.model, report_.motion, report_.table, report_.facts};

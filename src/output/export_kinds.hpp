@@ -65,6 +65,8 @@ struct ExportKindRow {
     void (*write)(const ExportRequest& request, const Recording& recording, const JobControl& control);
     /// Why this recording cannot be written so, as the end of a sentence; empty when it can. Null: any can.
     std::string (*reason_against)(const Recording& recording) = nullptr;
+    /// Why this machine cannot write it. Null: any can.
+    std::string (*reason_here)() = nullptr;
 };
 
 /// In the order in which they are offered.
