@@ -191,7 +191,13 @@ std::string coincident(const std::string& extension) {
         return "OFF\n" + n + " 1000 0\n" + cloud + triangles;
     if (extension == ".obj")
         return repeated("v 1 2 3\n", points) + triangles;
-    REQUIRE(extension == ".stl"); // a format without a file here
+    if (extension != ".stl") {
+        MeshData data;
+        data.mesh.positions.assign(static_cast<std::size_t>(points), Vec3(1, 2, 3));
+        for (int i = 0; i < 1000; ++i)
+            data.mesh.triangles.push_back({i, i + 1, i + 7});
+        return written(format_for_writing("a" + extension), data);
+    }
     const std::string corner = raw(1.0f) + raw(2.0f) + raw(3.0f);
     return std::string(80, ' ') + raw<std::uint32_t>(333334) +
            repeated(std::string(12, '\0') + corner + corner + corner + "ab", 333334);
