@@ -28,7 +28,8 @@ void write(const std::string& what, const fs::path& run, const fs::path& folder)
     if (what == "project") {
         write_project_file(folder / "my.fascicle", *reader.scene(), ProjectSaving{"", true});
     } else if (what == "settings") {
-        write_settings(folder / "settings.json", {{"dark", true}, {"scale", 1.5}, {"name", std::string("a")}});
+        write_settings(folder / "settings.json",
+                       {{"dark", true}, {"scale", 1.5}, {"name", std::string("a")}});
     } else if (what == "preset") {
         write_preset(folder / "presets" / "mine.json", preset_of(reader.scene()->parameters, "mine"));
     } else if (what == "recent") {
