@@ -104,6 +104,12 @@ class FaultTest(ProgramTest):
         command = [PROGRAM, "simulate", *self.source, "--export", "vtp", "--quiet", "--out", self.out]
         self.with_faults(command, lambda out: shutil.copytree(run, out))
 
+    def test_simulate_with_a_model(self):
+        command = [PROGRAM, "simulate", *self.source, "--set", "fibres.method=kukacka", "--set", "fibres.count=4",
+                   "--export", "vtp,osim", "--quiet", "--out", self.out]
+        # The model comes after the last frame: a run without it is kept rather than lost.
+        self.with_faults(command, None, lambda names: reads(self.out), most=20)
+
     def test_simulate_with_pictures(self):
         command = [PROGRAM, "simulate", *self.source, "--export", "vtp,png", "--quiet", "--out", self.out]
         if "without drawing" in self.run_program(*command[1:]).stderr:
