@@ -33,12 +33,14 @@ struct OsimFibreReport {
     int fibre = 0;      ///< fibre_id, from 0
     std::string name;   ///< in the model
     int points = 0, moving_points = 0;
-    int knots = 0;                    ///< of each spline; 0 without moving points
-    double length_mm = 0;             ///< difference of the length, at frames
-    double length_between_mm = 0;     ///< ... between frames
-    double moment_arm_mm = 0;         ///< of -dL/dq, exact of the model, against fibres.csv; at frames
-    double moment_arm_between_mm = 0; ///< ... between frames
-    double opensim_moment_arm_mm = 0; ///< of the arm that OpenSim's solver computes, at frames and between
+    int knots = 0;                ///< of each spline; 0 without moving points
+    double length_mm = 0;         ///< difference of the length, at frames
+    double length_between_mm = 0; ///< ... between frames
+    double moment_arm_mm =
+        0; ///< of the arm by tendon excursion, from the lengths of model and run by the same excursion_arms
+    double exact_moment_arm_mm =
+        0; ///< of -dL/dq of the model against the run's by excursion, at frames and between
+    double opensim_moment_arm_mm = 0; ///< ... of the arm that OpenSim's solver computes
     double point_mm = 0;              ///< of the inner points, at frames
     double length_other_frames_mm =
         0; ///< of the length, in frames that the fibre was not fitted to (the way back); NaN: none
@@ -69,8 +71,8 @@ struct OsimExportReport {
 /// in all frames has no other points. The rest are MovingPathPoints with SimmSplines, as few knots as meet the tolerance. Of a
 /// hinge's run the frames of the span with the largest excursion are fitted (the way out): on the way back a fibre has other
 /// shapes, which a function of an angle cannot tell. The fit of the splines is by least squares; where there is a joint the
-/// points are then moved by the least amount that makes the length follow a smooth target, which is as near to the simulated
-/// lengths as to the moment arms of fibres.csv.
+/// points are then moved by the least amount that makes the length follow a smooth target, which is near to the simulated
+/// lengths and to the moment arms of fibres.csv (LengthTarget).
 ///
 /// Neighbouring points, unless both are fixed, lie in frames of different bodies, and a point half-way is put in where their number is
 /// odd: OpenSim's GeometryPath::addInEquivalentForces passes over segments within one body, although their length changes

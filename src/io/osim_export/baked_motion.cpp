@@ -220,6 +220,8 @@ BakedMotion bake_motion(const Recording& recording, const ToModel& to_model, Osi
                 span = s;
         for (const double angle : motion.angles_rad)
             motion.values.push_back(motion.sign * angle + 0.0); // no -0
+        motion.span_first = static_cast<int>(span.first);
+        motion.span_last = static_cast<int>(span.last);
         for (std::size_t k = span.first; k <= span.last; ++k)
             fitted.push_back(static_cast<int>(k));
     } else {
