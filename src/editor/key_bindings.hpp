@@ -32,6 +32,7 @@ enum class Command {
     quit,
     undo,
     redo,
+    repair_mesh,
     remove_selected,
     deselect,
     play_pause,

@@ -3,7 +3,6 @@
 #include "fascicle/io/csv.hpp"
 #include "fascicle/io/files.hpp"
 
-#include <fstream>
 #include <numbers>
 
 namespace fascicle {
@@ -29,11 +28,9 @@ void write_line_table(const std::filesystem::path& path, const LineSeries& serie
 }
 
 void remove_line_table(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    std::string line;
-    if (!std::getline(file, line) || line != header)
+    const std::string start = std::string(header) + '\n';
+    if (read_head(path, start.size()) != start)
         return;
-    file.close();
     std::error_code ignored;
     std::filesystem::remove(path, ignored);
 }

@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 namespace {
 
 /// A vtp file as it stands: not mended, so that vertices and triangles are those that were written.
-MeshData read_vtp_file(const fs::path& path) {
-    return io::read_vtp(read_file(path), path.string());
+MeshData read_vtp_file(const RunFiles& files, const fs::path& path) {
+    return io::read_vtp(files.read(path), path.string());
 }
 
 LengthUnit unit_of(const io::JsonFields& summary) {
@@ -43,7 +43,15 @@ bool is_run_folder(const fs::path& path) {
     return fs::is_regular_file(path / "summary.json", ignored);
 }
 
-RunReader::RunReader(fs::path folder) : folder_(std::move(folder)) {
+RunFiles RunFiles::on_disk() {
+    return {[](const fs::path& path) { return read_file(path); },
+            [](const fs::path& path) {
+                std::error_code ignored;
+                return fs::exists(path, ignored);
+            }};
+}
+
+RunReader::RunReader(fs::path folder, RunFiles files) : folder_(std::move(folder)), files_(std::move(files)) {
     read_summary();
     read_motion();
     read_angles();
@@ -52,7 +60,7 @@ RunReader::RunReader(fs::path folder) : folder_(std::move(folder)) {
 
 void RunReader::read_summary() {
     const std::string file = (folder_ / "summary.json").string();
-    const io::Json json = io::parse_json_object(read_file(file), file);
+    const io::Json json = io::parse_json_object(files_.read(file), file);
     const io::JsonFields summary(json, file, "");
     const auto list = json.find("vtp_frames");
     if (list == json.end() || !list->is_array() || list->empty())
@@ -75,7 +83,7 @@ void RunReader::read_summary() {
         Bone bone;
         bone.name = entry.text("name");
         bone.source = source(entry);
-        MeshData data = read_vtp_file(folder_ / io::bone_file(bone.name));
+        MeshData data = read_vtp_file(files_, folder_ / io::bone_file(bone.name));
         bone.mesh = std::make_shared<const TriMesh>(std::move(data.mesh));
         scene->bones.push_back(std::move(bone));
     }
@@ -116,7 +124,7 @@ void RunReader::read_motion() {
                     "at most 20 million poses");
     poses_.assign(count, std::vector<Pose>(scene_->bones.size()));
     const fs::path path = folder_ / "motion.csv";
-    const std::string bytes = read_file(path);
+    const std::string bytes = files_.read(path);
     CsvReader csv(bytes, path.string());
     const int frame_column = csv.column("frame"), bone_column = csv.column("bone");
     int m[3][4];
@@ -148,7 +156,7 @@ void RunReader::read_angles() {
     angles_.assign(poses_.size(), 0.0);
     solve_seconds_.assign(poses_.size(), 0.0);
     const fs::path path = folder_ / "metrics.csv";
-    const std::string bytes = read_file(path);
+    const std::string bytes = files_.read(path);
     CsvReader csv(bytes, path.string());
     const int frame_column = csv.column("frame"), angle_column = csv.column("angle_deg"),
               time_column = csv.column("solve_ms"); // of tables that have it
@@ -167,11 +175,10 @@ void RunReader::read_angles() {
 namespace {
 
 /// Fibres of a run's rest, bound to the muscle's surface there; null when there is no such file.
-FibreModelPtr read_fibres(const fs::path& path, const TriMesh& surface) {
-    std::error_code ignored;
-    if (!fs::exists(path, ignored))
+FibreModelPtr read_fibres(const RunFiles& files, const fs::path& path, const TriMesh& surface) {
+    if (!files.exists(path))
         return nullptr;
-    const MeshData data = read_vtp_file(path);
+    const MeshData data = read_vtp_file(files, path);
     auto model = std::make_shared<FibreModel>();
     FibreSet& rest = model->rest;
     rest.count = static_cast<int>(data.lines.lines.size());
@@ -197,7 +204,7 @@ void RunReader::read_rest() {
         scene->timeline.angles.push_back({static_cast<double>(k), angles_[k]});
     for (Muscle& muscle : scene->muscles) {
         const fs::path path = folder_ / io::frame_file(muscle.name, 0);
-        MeshData data = read_vtp_file(path);
+        MeshData data = read_vtp_file(files_, path);
         const auto find = [&](const char* name) -> const NamedArray* {
             for (const NamedArray& array : data.point_arrays)
                 if (array.name == name && array.components == 1)
@@ -228,7 +235,7 @@ void RunReader::read_rest() {
         muscle.attachments = attachments;
         attachments_.push_back(std::move(attachments));
         muscle.mesh = std::make_shared<const TriMesh>(std::move(data.mesh));
-        fibres_.push_back(read_fibres(folder_ / fibre_file(muscle.name, 0), *muscle.mesh));
+        fibres_.push_back(read_fibres(files_, folder_ / fibre_file(muscle.name, 0), *muscle.mesh));
     }
     scene_ = std::move(scene);
 }
@@ -248,7 +255,7 @@ FramePtr RunReader::read_frame(int frame) const {
     out->report.solve_seconds = solve_seconds_[static_cast<std::size_t>(frame)];
     for (const Muscle& muscle : scene_->muscles) {
         const fs::path path = folder_ / io::frame_file(muscle.name, frame);
-        MeshData data = read_vtp_file(path);
+        MeshData data = read_vtp_file(files_, path);
         if (data.mesh.positions.size() != muscle.mesh->positions.size())
             throw_error(path.string(), "has " + std::to_string(data.mesh.positions.size()) + " points",
                         std::to_string(muscle.mesh->positions.size()) + ", as at rest");

@@ -95,7 +95,7 @@ TEST_CASE("Export of a picture at twice the view, and without a background", "[e
 
 TEST_CASE("Export of numbered pictures and of a GIF of some frames", "[editor][ui][export]") {
     Session s(9);
-    s.choose("pictures");
+    s.choose("frames");
     s.d.click("export/scale/own");
     s.d.state().exporting.width = 80;
     s.d.state().exporting.height = 50;
@@ -190,8 +190,8 @@ TEST_CASE("Kinds that cannot be exported say why", "[editor][ui][export]") {
     d.frame(2);
     for (const auto& row : output::export_kinds()) {
         d.click(std::string("export/kind/") + row.key);
-        CHECK(d.state().exporting.kind == row.kind);
-        CHECK(d.has("export/estimate") == (row.kind == output::ExportKind::picture));
+        CHECK(d.state().exporting.kind == row.key);
+        CHECK(d.has("export/estimate") == row.traits.rest);
     }
     d.click("export/cancel");
     CHECK_FALSE(d.has("export/start"));
@@ -211,7 +211,7 @@ TEST_CASE("Kinds that cannot be exported say why", "[editor][ui][export]") {
 TEST_CASE("A badge counts while an export runs, the interface goes on, and Esc leaves nothing",
           "[editor][ui][export]") {
     Session s(61);
-    s.choose("pictures");
+    s.choose("frames");
     s.d.state().exporting.scale = 0;
     s.d.state().exporting.width = 500;
     s.d.state().exporting.height = 400;

@@ -2,10 +2,16 @@
 
 #include "app/cli/command.hpp"
 #include "fascicle/base/error.hpp"
+#include "fascicle/base/param_table.hpp"
+#include "fascicle/base/text.hpp"
 #include "fascicle/geometry/bounding_box.hpp"
 #include "fascicle/geometry/volume.hpp"
+#include "fascicle/io/files.hpp"
+#include "fascicle/io/format_registry.hpp"
 #include "fascicle/io/load_scene.hpp"
 #include "fascicle/io/mesh_file.hpp"
+#include "fascicle/io/mesh_hints.hpp"
+#include "fascicle/io/series_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <iomanip>
@@ -26,7 +32,7 @@ std::string text(const Vec3& p) {
 }
 
 void print(const char* label, const std::string& value) {
-    std::cout << "  " << std::left << std::setw(14) << label << value << '\n';
+    std::cout << "  " << std::left << std::setw(14) << label << one_line(value) << '\n';
 }
 
 void print_surface(const MeshFile& file, const std::string& unit) {
@@ -41,20 +47,61 @@ void print_surface(const MeshFile& file, const std::string& unit) {
                                     : "none, the surface is open");
 }
 
+std::string names_of(const std::vector<NamedArray>& arrays) {
+    std::string text;
+    for (const NamedArray& array : arrays)
+        text += (text.empty() ? "" : ", ") + array.name +
+                (array.components > 1 ? " (" + std::to_string(array.components) + ")" : "");
+    return text;
+}
+
+/// What the header of the file says about itself; nothing acts on it.
+void print_hints(const MeshHints& hints) {
+    if (hints.millimetres)
+        print("file's unit", "1 unit = " + number_text(*hints.millimetres) + " mm");
+    if (hints.space)
+        print("file's frame", *hints.space == MeshSpace::ras ? "RAS (+x right, +y anterior, +z superior)"
+                                                             : "LPS (+x left, +y posterior, +z superior)");
+}
+
+void print_series(const std::string& path, const std::string& bytes) {
+    const auto series = parse_series(bytes, path);
+    std::cout << path << '\n';
+    print("format", "ParaView series");
+    print("steps", std::to_string(series.size()));
+    if (!series.empty()) {
+        print("time", text(series.front().first) + " to " + text(series.back().first) + " s");
+        print("files", series.front().second + " to " + series.back().second);
+    }
+}
+
 void print_file(const std::string& path) {
-    const MeshFile file = read_mesh_file(path);
+    const std::string bytes = read_file(path);
+    if (looks_like_series(bytes))
+        return print_series(path, bytes);
+    const MeshFile file = read_mesh_bytes(bytes, path);
     BoundingBox box = bounding_box(file.mesh.positions, file.mesh.triangles);
+    const bool points_alone = file.mesh.triangles.empty();
+    for (const Vec3& p : points_alone ? file.mesh.positions : Points())
+        box.add(p);
     for (const Vec3& p : file.lines.points)
         box.add(p);
-    std::cout << path << '\n';
+    std::cout << one_line(path) << '\n';
     print("format", file.format);
     const std::string unit = to_text(guess_unit(box.diagonal()));
     if (!box.empty())
         print("unit", unit + " (guessed from the size)");
+    print_hints(find_mesh_hints(bytes));
     if (!file.mesh.triangles.empty())
         print_surface(file, unit);
+    if (points_alone && !file.mesh.positions.empty())
+        print("points", std::to_string(file.mesh.vertex_count()) + ", no surface");
     if (!file.lines.lines.empty())
         print("polylines", std::to_string(file.lines.lines.size()));
+    if (!file.point_arrays.empty())
+        print("point arrays", names_of(file.point_arrays));
+    if (!file.line_arrays.empty())
+        print("line arrays", names_of(file.line_arrays));
     if (!box.empty()) {
         print("box", text(box.min) + " to " + text(box.max));
         print("size", text(box.size()) + ", diagonal " + text(box.diagonal()));
@@ -73,7 +120,7 @@ void print_file(const std::string& path) {
 
 std::function<int()> add_info(CLI::App& app) {
     const auto paths = std::make_shared<std::vector<std::string>>();
-    app.add_option("MESH", *paths, "Mesh files: OBJ, legacy VTK, VTP");
+    app.add_option("MESH", *paths, "Mesh files: " + mesh_format_names() + "; or a series (.pvd)");
     return [paths] {
         if (paths->empty())
             throw_error("info", "no mesh", "info MESH...", ErrorKind::usage);
