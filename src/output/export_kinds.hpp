@@ -22,6 +22,7 @@ struct ExportTraits {
     bool folder = false; ///< the target is a folder
     bool morphs = false; ///< at most so many shapes of the frames
     bool up = false;     ///< which axis of the scene points up
+    bool axes = false;   ///< whether axes become OpenSim's
     bool rest = false;   ///< needs no computed frame
 };
 
@@ -36,7 +37,12 @@ struct ExportRequest {
     bool dither = true;     ///< GIF: pattern against steps between colours
     int morph_targets = 64; ///< at most, 1 or more: shapes beside the first
     char up = 'z';          ///< axis of the scene that points up: 'y' or 'z'
-    int threads = 1;        ///< for measuring
+    bool opensim_axes =
+        true;        ///< of a model: X anterior, Y up, Z right of a scene in LPS; else as in the scene
+    int threads = 1; ///< for measuring
+    /// Takes sentences for the user about what was written, when there is something to say; null: nobody asks. Not read before the
+    /// export is done.
+    std::shared_ptr<std::vector<std::string>> told;
 };
 
 /// What an estimate goes by. recording: null before any run.

@@ -21,7 +21,7 @@ TEST_CASE("Gluteus maximus becomes OpenSim muscles within a millimetre of the si
     request.attachments = {{"gluteus_maximus", data / "lhdl/gluteus_maximus_attachments.csv"}};
     request.hinge = HingeRequest{Vec3(143.86, 243.37, -432.53), Vec3::UnitX()};
     request.angle_deg = -57.29578;
-    request.phases = Phases{30, 0, 0}; // the whole run, with 100 fibres, is in docs/validation.md
+    request.phases = Phases{30, 0, 0}; // the whole run, with 100 fibres, is in docs/formats.md
     LoadedScene loaded = load_scene(request);
     loaded.scene.parameters.set_text("fibres.method", "kukacka");
     loaded.scene.parameters.set("fibres.count", 20);
@@ -30,7 +30,7 @@ TEST_CASE("Gluteus maximus becomes OpenSim muscles within a millimetre of the si
     REQUIRE(recording.state() == RunState::finished);
 
     const test::TempDir folder;
-    const OsimExportReport report = export_osim(folder.path(), recording);
+    const OsimExportReport report = export_osim(folder.path() / "ropes.osim", recording);
     INFO(report.summary);
     REQUIRE(report.fibres.size() == 20);
     CHECK(report.coordinate == "femur_angle");

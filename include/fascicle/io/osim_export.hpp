@@ -60,8 +60,7 @@ struct OsimExportReport {
     double largest(double OsimFibreReport::*quantity) const;
 };
 
-/// Writes <scene>.osim (version 40000, metres), <scene>.mot, Geometry/<bone>.vtp, osim_report.csv and osim_report.json into the
-/// folder.
+/// Writes a model NAME.osim (version 40000, metres) and beside it NAME.mot, NAME_report.csv, NAME_report.json and Geometry/<bone>.vtp.
 ///
 /// Bodies are the bones; their frames lie on ground's at rest, so that all numbers are the scene's, in metres and the wanted axes.
 /// A hinge that all moving bones follow is a CustomJoint with one rotational coordinate, any other motion six splines of a
@@ -85,8 +84,11 @@ struct OsimExportReport {
 /// The report is measured on the text that was written, read back by read_osim and measured by LinePathSolver.
 ///
 /// Error: no fibres in the run, nothing moves, coordinate joint without one, too many points for a model (50,000), a file that cannot be
-/// written; an output would replace an input of the scene (usage). Cancelled. The model gets its name last.
-OsimExportReport export_osim(const std::filesystem::path& folder, const Recording& recording,
+/// written; an output would replace an input of the scene (usage). Cancelled. All files are there afterwards, or none is new.
+OsimExportReport export_osim(const std::filesystem::path& model, const Recording& recording,
                              const OsimExportOptions& options = {}, const JobControl& control = {});
+
+/// Why the recording cannot be written so, as the end of a sentence; empty when it can, as far as is seen without looking at all frames.
+std::string reason_against_osim(const Recording& recording);
 
 } // namespace fascicle
