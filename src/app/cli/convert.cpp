@@ -9,6 +9,7 @@
 #include "fascicle/io/load_scene.hpp"
 #include "fascicle/io/mesh_convert.hpp"
 #include "fascicle/io/mesh_hints.hpp"
+#include "fascicle/io/run_reader.hpp"
 #include "fascicle/io/storage_write.hpp"
 
 #include <CLI/CLI.hpp>
@@ -191,6 +192,9 @@ int run(const ConvertOptions& options) {
     if (!table)
         format_for_writing(options.out); // before anything is read
     require_two_files(options);
+    if (is_run_folder(options.in))
+        throw_error(options.in, "a run is more than a mesh",
+                    "fascicle export RUN --out FILE, or one file of its frames", ErrorKind::usage);
     const std::string bytes = read_file(options.in);
     if (!table) {
         convert_mesh(options, bytes);

@@ -185,7 +185,8 @@ void ExportDialog::draw_kinds(EditorContext& context, ImVec2 size) {
     const Theme& theme = context.theme;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, theme.plot);
     if (ImGui::BeginChild("kinds", size, false)) {
-        const float line = context.px(28);
+        const float line = context.px(25);
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0}); // all kinds fit a small window
         for (const output::ExportKindRow& row : output::export_kinds()) {
             const ImVec2 at = ImGui::GetCursorScreenPos();
             const float width = ImGui::GetContentRegionAvail().x;
@@ -212,6 +213,7 @@ void ExportDialog::draw_kinds(EditorContext& context, ImVec2 size) {
                          {{x + mark + context.px(10), at.y}, {at.x + width - context.px(6), at.y + line}},
                          text, row.label);
         }
+        ImGui::PopStyleVar();
     }
     ImGui::EndChild();
     ImGui::PopStyleColor();

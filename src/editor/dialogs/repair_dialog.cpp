@@ -135,7 +135,7 @@ void RepairDialog::apply(EditorContext& context) {
     if (carried.before > 0)
         text += std::string(bone ? "; areas on it have " : "; fixed to bones are ") +
                 std::to_string(carried.after) + " vertices in place of " + std::to_string(carried.before);
-    context.log.add(Severity::info, text + ".");
+    context.log.add(Severity::note, text + ".");
 }
 
 void RepairDialog::draw(EditorContext& context) {

@@ -1,5 +1,6 @@
 #include "io/osim_export/baked_motion.hpp"
 
+#include "fascicle/base/text.hpp"
 #include "fascicle/metrics/moment_arm.hpp"
 #include "fascicle/motion/joint_function.hpp"
 
@@ -173,7 +174,7 @@ BakedMotion bake_motion(const Recording& recording, const ToModel& to_model, Osi
         BakedBody body;
         body.name = names.unique(osim_name(scene.bones[b].name, "bone"));
         body.bone = static_cast<int>(b);
-        body.mesh_file = body.name + ".vtp";
+        body.mesh_file = file_name_for(body.name) + ".vtp"; // names may be longer than those of files
         model.bodies.push_back(std::move(body));
     }
     for (std::size_t k = 0; k < frames; ++k)
