@@ -137,7 +137,7 @@ std::span<const ExportKindRow> export_kinds() {
          ".osim",
          "\xEF\x83\x81",
          "",
-         {.axes = true},
+         {.up = true},
          estimate_osim,
          write_osim,
          reason_against_osim},

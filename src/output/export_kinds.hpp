@@ -22,7 +22,6 @@ struct ExportTraits {
     bool folder = false; ///< the target is a folder
     bool morphs = false; ///< at most so many shapes of the frames
     bool up = false;     ///< which axis of the scene points up
-    bool axes = false;   ///< whether axes become OpenSim's
     bool rest = false;   ///< needs no computed frame
 };
 

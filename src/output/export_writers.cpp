@@ -232,7 +232,7 @@ void write_fibres(const ExportRequest& request, const Recording& recording, cons
 
 void write_osim(const ExportRequest& request, const Recording& recording, const JobControl& control) {
     OsimExportOptions options;
-    options.axes = request.opensim_axes ? AxisMapping::lps_to_opensim : AxisMapping::as_is;
+    options.axes = request.up == 'z' ? AxisMapping::lps_to_opensim : AxisMapping::as_is;
     options.threads = request.threads;
     const OsimExportReport report = export_osim(request.target, recording, options, control);
     if (request.told == nullptr)

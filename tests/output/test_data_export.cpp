@@ -154,7 +154,7 @@ TEST_CASE("Fibres of a run as polylines and a table, and a run without any says 
     CHECK(model.told->front().starts_with("model.osim: "));
     CHECK(fs::exists(folder.path() / "model_report.json"));
     const std::string with_axes = read_file(folder.path() / "Geometry" / "fixed.vtp");
-    model.opensim_axes = false;
+    model.up = 'y';
     export_data(model, recording, {});
     CHECK(read_file(folder.path() / "Geometry" / "fixed.vtp") != with_axes);
 }

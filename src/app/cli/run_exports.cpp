@@ -122,7 +122,8 @@ std::vector<std::string> write_exports(const Exports& exports, const ExportOptio
         request.step = every;
         request.morph_targets = options.morph_targets;
         request.up = options.up.empty() ? 'z' : options.up[0];
-        request.opensim_axes = options.axes == "opensim";
+        if (options.axes == "as-is" && request.kind == "osim")
+            request.up = 'y';
         request.threads = threads;
         for (std::string& sentence : write_export(request, recording, progress))
             told.push_back(std::move(sentence));

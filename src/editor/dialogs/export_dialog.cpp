@@ -106,7 +106,6 @@ output::ExportRequest ExportDialog::request(const EditorContext& context) const 
     request.dither = choices.dither;
     request.morph_targets = choices.morph_targets;
     request.up = choices.up;
-    request.opensim_axes = choices.opensim_axes;
     return request;
 }
 
@@ -256,8 +255,6 @@ void ExportDialog::draw_options(EditorContext& context, ImVec2 size) {
             draw_morphs(context);
         if (row.traits.up)
             draw_up(context);
-        if (row.traits.axes)
-            draw_axes(context);
         label(context, "Estimate");
         const auto [w, h] = picture_size(context);
         ImGui::TextUnformatted(
@@ -394,24 +391,6 @@ void ExportDialog::draw_up(EditorContext& context) {
             "(LPS), y in OpenSim's. Nothing is mirrored.\nDefault: z.");
         ImGui::SameLine(0, context.px(12));
     }
-    ImGui::NewLine();
-}
-
-void ExportDialog::draw_axes(EditorContext& context) {
-    ExportChoices& choices = context.state.exporting;
-    label(context, "Axes");
-    const auto choice = [&](const char* text, const char* name, bool opensim, const char* help) {
-        if (ImGui::RadioButton(text, choices.opensim_axes == opensim))
-            choices.opensim_axes = opensim;
-        record_item(name);
-        item_tooltip(help);
-        ImGui::SameLine(0, context.px(12));
-    };
-    choice("OpenSim", "export/axes/opensim", true,
-           "X anterior, Y up, Z right, for a scene in medical axes (LPS):\nX = -y, Y = z, Z = -x. Nothing is "
-           "mirrored. Default.");
-    choice("As in the scene", "export/axes/as-is", false,
-           "x, y and z stay as they are, for a scene that came from an OpenSim model.");
     ImGui::NewLine();
 }
 
