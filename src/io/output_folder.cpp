@@ -3,6 +3,7 @@
 #include "fascicle/base/error.hpp"
 #include "fascicle/base/text.hpp"
 #include "fascicle/scene/line_muscles.hpp"
+#include "fascicle/scene/model_motion.hpp"
 #include "io/run_files.hpp"
 
 #include <map>
@@ -29,6 +30,8 @@ void for_each_input(const Scene& scene, const std::vector<fs::path>& more_inputs
     for (const fs::path& input : more_inputs)
         check({input.string(), {}});
     check(scene.motion_source);
+    if (scene.model_motion != nullptr)
+        check(scene.model_motion->model_source);
     if (scene.line_muscles != nullptr)
         check(scene.line_muscles->source);
     for (const Bone& bone : scene.bones)

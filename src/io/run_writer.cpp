@@ -12,6 +12,7 @@
 #include "fascicle/io/staged_files.hpp"
 #include "fascicle/metrics/metric_table.hpp"
 #include "fascicle/scene/line_muscles.hpp"
+#include "fascicle/scene/model_motion.hpp"
 #include "io/formats/pvd.hpp"
 #include "io/formats/vtp.hpp"
 #include "io/run_files.hpp"
@@ -193,6 +194,13 @@ void RunWriter::Impl::write_metrics(const std::vector<const FibreSeries*>& serie
     for (std::size_t c = 0; c < rows.size(); ++c)
         if (shown(c))
             metrics.text(options.metric_columns[c]);
+    const ModelMotion* trial = model_motion_in_force(*scene);
+    const auto coordinate = [&](int c) -> const Coordinate& {
+        return trial->model->skeleton.coordinates[static_cast<std::size_t>(c)];
+    };
+    if (trial != nullptr)
+        for (const int c : trial->moving)
+            metrics.text(coordinate_column(coordinate(c)));
     metrics.end_row();
     for (const MetricsLine& line : lines) {
         metrics.integer(line.frame).text(scene->muscles[line.muscle].name).number(line.angle_deg);
@@ -202,6 +210,10 @@ void RunWriter::Impl::write_metrics(const std::vector<const FibreSeries*>& serie
             if (shown(c))
                 metrics.number(k >= 0 && rows[c] != nullptr && rows[c]->over_run ? rows[c]->over_run(*own, k)
                                                                                  : line.values[c]);
+        if (trial != nullptr)
+            for (const int c : trial->moving)
+                metrics.number(
+                    coordinate_number(coordinate(c), trial->at(line.frame)[static_cast<std::size_t>(c)]));
         metrics.end_row();
     }
 }

@@ -2,6 +2,7 @@
 
 #include "fascicle/base/error.hpp"
 #include "fascicle/scene/line_muscles.hpp"
+#include "fascicle/scene/model_motion.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -34,6 +35,8 @@ std::set<fs::path> inputs_of(const Scene& scene) {
             inputs.insert(source.path);
     };
     add(scene.motion_source);
+    if (scene.model_motion != nullptr)
+        add(scene.model_motion->model_source);
     if (scene.line_muscles != nullptr)
         add(scene.line_muscles->source);
     for (const Bone& bone : scene.bones)

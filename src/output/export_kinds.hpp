@@ -36,9 +36,7 @@ struct ExportRequest {
     bool dither = true;     ///< GIF: pattern against steps between colours
     int morph_targets = 64; ///< at most, 1 or more: shapes beside the first
     char up = 'z';          ///< axis of the scene that points up: 'y' or 'z'
-    bool opensim_axes =
-        true;        ///< of a model: X anterior, Y up, Z right of a scene in LPS; else as in the scene
-    int threads = 1; ///< for measuring
+    int threads = 1;        ///< for measuring
     /// Takes sentences for the user about what was written, when there is something to say; null: nobody asks. Not read before the
     /// export is done.
     std::shared_ptr<std::vector<std::string>> told;

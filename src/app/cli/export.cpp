@@ -107,8 +107,6 @@ int run(const ExportCommand& command) {
     request.step = range.step;
     request.morph_targets = command.options.morph_targets;
     request.up = command.options.up.empty() ? 'z' : command.options.up[0];
-    if (command.options.axes == "as-is" && request.kind == "osim")
-        request.up = 'y';
     request.threads = hardware_threads();
     std::vector<std::string> told;
     ProgressDisplay progress = ProgressDisplay::for_user(command.quiet);

@@ -142,8 +142,7 @@ int fibres(const FibresOptions& options) {
     std::vector<FibreSeries> series;
     for (std::size_t m = 0; m < scene.muscles.size(); ++m) {
         rows.push_back(make_row(scene, m, prepared.muscles[m], threads));
-        series.emplace_back(scene.muscles[m].name, millimetres_per_unit(scene.unit),
-                            flexion_sign(scene.timeline));
+        series.emplace_back(scene.muscles[m].name, millimetres_per_unit(scene.unit), flexion_sign(scene));
         series.back().append(0, scene.timeline.angle_rad(0), prepared.muscles[m].fibres->rest);
     }
     std::vector<const FibreSeries*> pointers;

@@ -12,6 +12,7 @@
 #include "fascicle/io/mesh_file.hpp"
 #include "fascicle/io/mesh_hints.hpp"
 #include "fascicle/io/series_file.hpp"
+#include "fascicle/io/unit_guess.hpp"
 
 #include <CLI/CLI.hpp>
 #include <iomanip>
@@ -88,9 +89,11 @@ void print_file(const std::string& path) {
         box.add(p);
     std::cout << one_line(path) << '\n';
     print("format", file.format);
-    const std::string unit = to_text(guess_unit(box.diagonal()));
+    const UnitGuess guess = guess_length_unit(box.diagonal());
+    const std::string unit = to_text(guess.unit);
     if (!box.empty())
-        print("unit", unit + " (guessed from the size)");
+        print("unit",
+              unit + " (guessed from the size" + (guess.sure ? ")" : ", which fits neither m nor mm)"));
     print_hints(find_mesh_hints(bytes));
     if (!file.mesh.triangles.empty())
         print_surface(file, unit);
@@ -112,6 +115,8 @@ void print_file(const std::string& path) {
     const std::vector<std::string> findings = file.report.lines();
     for (const std::string& finding : findings)
         print("defect", finding);
+    if (is_inside_out(file.report))
+        print("defect", inside_out_words);
     if (findings.empty())
         print("defects", "none");
 }

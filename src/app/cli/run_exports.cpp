@@ -55,9 +55,6 @@ void add_export_options(CLI::App& app, ExportOptions& options) {
               "Shapes of a .glb beside the first, at most; frames are left out evenly (default: 64)");
     add_choice(app, "--up", options.up, {"z", "y"},
                "Axis that points up, for other programs (default: z, as in LPS)");
-    add_choice(app, "--axes", options.axes, {"opensim", "as-is"},
-               "Of an OpenSim model: X anterior, Y up, Z right of a scene in LPS, or the scene's own "
-               "(default: opensim)");
 }
 
 Exports read_exports(const std::vector<std::string>& lists) {
@@ -122,8 +119,6 @@ std::vector<std::string> write_exports(const Exports& exports, const ExportOptio
         request.step = every;
         request.morph_targets = options.morph_targets;
         request.up = options.up.empty() ? 'z' : options.up[0];
-        if (options.axes == "as-is" && request.kind == "osim")
-            request.up = 'y';
         request.threads = threads;
         for (std::string& sentence : write_export(request, recording, progress))
             told.push_back(std::move(sentence));

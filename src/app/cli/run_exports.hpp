@@ -11,8 +11,7 @@ namespace fascicle::app {
 /// What several kinds have an option for.
 struct ExportOptions {
     int morph_targets = 64;
-    std::string up;               ///< "y", "z"; empty: z for a run, what a file says of itself
-    std::string axes = "opensim"; ///< of an OpenSim model; or "as-is"
+    std::string up; ///< "y", "z"; empty: z for a run, what a file says of itself
 };
 void add_export_options(CLI::App& app, ExportOptions& options);
 

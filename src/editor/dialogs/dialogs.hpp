@@ -7,6 +7,7 @@
 #include "editor/dialogs/locate_dialog.hpp"
 #include "editor/dialogs/mesh_dialog.hpp"
 #include "editor/dialogs/open_project_dialog.hpp"
+#include "editor/dialogs/osim_dialog.hpp"
 #include "editor/dialogs/pick_file_dialog.hpp"
 #include "editor/dialogs/picture_dialog.hpp"
 #include "editor/dialogs/plot_export_dialog.hpp"
@@ -28,6 +29,7 @@ struct Dialogs {
     PictureDialog picture;
     PickFileDialog pick;
     OpenProjectDialog open_project;
+    OsimDialog osim;
     SaveDialog save;
     UnsavedDialog unsaved;
     LocateDialog locate;
@@ -43,7 +45,7 @@ struct Dialogs {
     std::vector<Dialog*> all() {
         return {&search, &mesh,        &picture,      &run,          &exporting, &load,
                 &pick,   &plot_export, &plot_overlay, &open_project, &save,      &unsaved,
-                &locate, &repair,      &reload,       &recovery,     &progress};
+                &locate, &repair,      &reload,       &recovery,     &progress, &osim};
     }
 };
 

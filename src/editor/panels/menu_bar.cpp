@@ -63,7 +63,7 @@ private:
     static void file_menu(EditorContext& context) {
         if (!begin("File"))
             return;
-        items(context, {C::new_project, C::open_project, C::show_start_page});
+        items(context, {C::new_project, C::open_project, C::open_model, C::show_start_page});
         ImGui::Separator();
         items(context, {C::save_project, C::save_project_as});
         ImGui::Separator();

@@ -179,7 +179,7 @@ BakedMotion bake_motion(const Recording& recording, const ToModel& to_model, Osi
     }
     for (std::size_t k = 0; k < frames; ++k)
         motion.angles_rad.push_back(recording.frame(static_cast<int>(k))->angle_rad);
-    motion.sign = flexion_sign(scene.timeline);
+    motion.sign = flexion_sign(scene);
     motion.turns.assign(bones + 1, 0);
     for (std::size_t k = 0; k < frames; ++k) {
         motion.poses.emplace_back(bones + 1);
