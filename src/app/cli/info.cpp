@@ -7,6 +7,7 @@
 #include "fascicle/io/load_scene.hpp"
 #include "fascicle/io/mesh_file.hpp"
 #include "fascicle/io/mesh_hints.hpp"
+#include "fascicle/io/osim_request.hpp"
 #include "fascicle/io/unit_guess.hpp"
 
 #include <CLI/CLI.hpp>
@@ -53,7 +54,28 @@ void print_hints(const std::string& path) {
                                                      : "LPS (the header says so)");
 }
 
+/// What of an OpenSim model a scene can be made of.
+void print_model(const std::string& path) {
+    const OsimPreview model = preview_osim(path, {});
+    std::cout << path << '\n';
+    print("format", "OpenSim model, version " + std::to_string(model.version));
+    print("name", model.model_name);
+    print("unit", "m, Y up or as its bodies say: a scene keeps both unless it is told otherwise");
+    print("coordinates", std::to_string(model.coordinates));
+    print("muscles", std::to_string(model.muscles.size()) + " lines");
+    for (const OsimPreview::BodyRow& body : model.bodies) {
+        std::string missing;
+        for (const std::string& name : body.missing)
+            missing += (missing.empty() ? "; not found: " : ", ") + name;
+        print("body", body.name + ", " + std::to_string(body.meshes_found) + " meshes" + missing);
+    }
+    for (const std::string& note : model.notes)
+        print("note", note);
+}
+
 void print_file(const std::string& path) {
+    if (std::filesystem::path(path).extension() == ".osim")
+        return print_model(path);
     const MeshFile file = read_mesh_file(path);
     BoundingBox box = bounding_box(file.mesh.positions, file.mesh.triangles);
     for (const Vec3& p : file.lines.points)
@@ -90,7 +112,7 @@ void print_file(const std::string& path) {
 
 std::function<int()> add_info(CLI::App& app) {
     const auto paths = std::make_shared<std::vector<std::string>>();
-    app.add_option("MESH", *paths, "Mesh files: OBJ, legacy VTK, VTP");
+    app.add_option("MESH", *paths, "Mesh files: OBJ, legacy VTK, VTP; OpenSim models");
     return [paths] {
         if (paths->empty())
             throw_error("info", "no mesh", "info MESH...", ErrorKind::usage);
