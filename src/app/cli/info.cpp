@@ -60,7 +60,7 @@ void print_model(const std::string& path) {
     std::cout << path << '\n';
     print("format", "OpenSim model, version " + std::to_string(model.version));
     print("name", model.model_name);
-    print("unit", "m, Y up or as its bodies say: a scene keeps both unless it is told otherwise");
+    print("unit", "m");
     print("coordinates", std::to_string(model.coordinates));
     print("muscles", std::to_string(model.muscles.size()) + " lines");
     for (const OsimPreview::BodyRow& body : model.bodies) {
