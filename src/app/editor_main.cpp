@@ -2,6 +2,7 @@
 
 #include "app/cli/options.hpp"
 #include "app/cli/source_options.hpp"
+#include "app/cli/standard_streams.hpp"
 #include "app/item_file.hpp"
 #include "app/window.hpp"
 #include "editor/editor.hpp"
@@ -11,6 +12,7 @@
 #include "editor/screens.hpp"
 #include "fascicle/base/build_info.hpp"
 #include "fascicle/base/error.hpp"
+#include "fascicle/base/interrupt.hpp"
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/png.hpp"
 #include "fascicle/io/project_file.hpp"
@@ -247,6 +249,8 @@ int parse_and_run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     try {
+        fascicle::app::secure_standard_streams();
+        fascicle::report_file_size_limit();
         return fascicle::app::parse_and_run(argc, argv);
     } catch (const fascicle::Error& error) {
         std::cerr << "fascicle-editor: " << error.what() << "\n";

@@ -1,5 +1,7 @@
 #include "fascicle/base/error.hpp"
 
+#include "fascicle/base/text.hpp"
+
 namespace fascicle {
 
 void throw_error(const std::string& where, const std::string& what, const std::string& expected,
@@ -7,10 +9,7 @@ void throw_error(const std::string& where, const std::string& what, const std::s
     std::string message = where.empty() ? what : where + ": " + what;
     if (!expected.empty())
         message += "; expected " + expected;
-    for (char& c : message)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-            c = ' ';
-    throw Error(message, kind);
+    throw Error(one_line(message), kind);
 }
 
 } // namespace fascicle

@@ -1,10 +1,10 @@
 #include "editor/dropped_file.hpp"
 
 #include "fascicle/io/csv.hpp"
+#include "fascicle/io/files.hpp"
 #include "fascicle/io/format_registry.hpp"
 
 #include <algorithm>
-#include <fstream>
 
 namespace fascicle::editor {
 
@@ -16,14 +16,6 @@ std::string lower(std::string text) {
     std::transform(text.begin(), text.end(), text.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
     return text;
-}
-
-std::string head_of(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::string head(std::size_t{1} << 16, '\0');
-    file.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, file.gcount())));
-    return head;
 }
 
 /// By the columns of its header row.
@@ -48,10 +40,8 @@ FileKind kind_of_table(const std::string& head, const fs::path& path, std::strin
 }
 
 bool is_mesh_extension(const std::string& extension) {
-    return std::any_of(mesh_formats().begin(), mesh_formats().end(), [&](const MeshFormat& format) {
-        return std::find(format.extensions.begin(), format.extensions.end(), extension) !=
-               format.extensions.end();
-    });
+    const std::vector<std::string> known = mesh_extensions();
+    return std::find(known.begin(), known.end(), extension) != known.end();
 }
 
 } // namespace
@@ -68,12 +58,12 @@ FileKind kind_of_file(const fs::path& path, std::string& why) {
         return FileKind::fibre_template;
     if (is_mesh_extension(extension))
         return FileKind::mesh;
-    const std::string head = head_of(path);
+    const std::string head = read_head(path, std::size_t{1} << 16);
     if (extension == ".csv" || extension == ".tsv")
         return kind_of_table(head, path, why);
     if (head.find("<OpenSimDocument") != std::string::npos)
         return FileKind::model;
-    if (!head.empty() && recognise_format(head, path) != nullptr)
+    if (recognise_file(path) != nullptr)
         return FileKind::mesh;
     if (lower(head).find("\nendheader") != std::string::npos)
         return FileKind::storage;

@@ -6,7 +6,7 @@
 namespace fascicle::editor {
 
 struct ExportChoices {
-    output::ExportKind kind = output::ExportKind::picture;
+    std::string kind = "picture"; ///< key of output::export_kinds()
     std::filesystem::path folder; ///< empty: the current one
     std::string name;             ///< without extension; empty: the scene's
     int scale = 2;                ///< pictures: times the view; 0: width and height
@@ -16,6 +16,8 @@ struct ExportChoices {
     int first = 0, last = 0, step = 1;
     double fps = 25;
     bool dither = true;
+    int morph_targets = 64; ///< glTF: shapes beside the first, at most
+    char up = 'z';          ///< axis of the scene that points up
 };
 
 } // namespace fascicle::editor

@@ -33,6 +33,7 @@ enum class Command {
     quit,
     undo,
     redo,
+    repair_mesh,
     remove_selected,
     deselect,
     play_pause,

@@ -107,7 +107,8 @@ private:
 
 } // namespace
 
-HoleFilling fill_holes(const TriMesh& mesh, int max_edges) {
+HoleFilling fill_holes(const TriMesh& mesh, int max_edges,
+                       const std::function<bool(const std::vector<int>& ring)>& wanted) {
     HoleFilling result{mesh};
     const MeshTopology topology(mesh.vertex_count(), mesh.triangles);
     std::set<std::pair<int, int>> edges;
@@ -115,7 +116,8 @@ HoleFilling fill_holes(const TriMesh& mesh, int max_edges) {
         edges.insert({edge.a, edge.b});
     std::vector<Tri> added;
     for (const std::vector<int>& ring : border_rings(mesh, topology, result.left)) {
-        const bool short_enough = ring.size() >= 3 && static_cast<int>(ring.size()) <= max_edges;
+        const bool short_enough =
+            ring.size() >= 3 && static_cast<int>(ring.size()) <= max_edges && (!wanted || wanted(ring));
         const std::size_t before = added.size();
         if (short_enough)
             if (const RingFiller filler(mesh, ring, edges); filler.possible())

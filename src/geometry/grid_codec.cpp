@@ -28,7 +28,6 @@ struct Header {
     double spacing = 0, saturation = 0;
     std::array<double, 3> low{};
     double correction_max = 0, correction_mean = 0;
-    friend bool operator==(const Header&, const Header&) = default;
 };
 static_assert(sizeof(Header) == 8 + 16 + 7 * 8);
 static_assert(std::has_unique_object_representations_v<std::array<std::int32_t, 3>>);

@@ -54,6 +54,16 @@ fs::path DiskCache::file_of(const std::string& key) const {
     return folder_ / (key + std::string(extension));
 }
 
+std::optional<std::string_view> DiskCache::content(const std::string& key, std::string_view file_bytes) {
+    if (!is_key(key) || file_bytes.size() < sizeof(Header))
+        return std::nullopt;
+    const std::string_view bytes = file_bytes.substr(sizeof(Header));
+    const Header expected = header_for(key, bytes);
+    if (std::memcmp(file_bytes.data(), &expected, sizeof expected) != 0)
+        return std::nullopt;
+    return bytes;
+}
+
 std::optional<std::string> DiskCache::find(const std::string& key) {
     if (!is_key(key))
         return std::nullopt;
@@ -62,11 +72,7 @@ std::optional<std::string> DiskCache::find(const std::string& key) {
         if (std::error_code code; !fs::is_regular_file(file, code))
             return std::nullopt; // nor wait for a pipe
         std::string bytes = read_file(file, static_cast<std::size_t>(max_bytes_));
-        if (bytes.size() < sizeof(Header))
-            return std::nullopt;
-        const std::string_view content = std::string_view(bytes).substr(sizeof(Header));
-        const Header expected = header_for(key, content);
-        if (std::memcmp(bytes.data(), &expected, sizeof expected) != 0)
+        if (!content(key, bytes))
             return std::nullopt;
         std::error_code ignored; // a folder that others own may be read only
         fs::last_write_time(file, fs::file_time_type::clock::now(), ignored);

@@ -3,7 +3,6 @@
 #include "fascicle/io/csv.hpp"
 #include "fascicle/io/files.hpp"
 
-#include <fstream>
 #include <numbers>
 
 namespace fascicle {
@@ -36,11 +35,9 @@ void write_line_table(const std::filesystem::path& path, const LineSeries& serie
 }
 
 void remove_line_table(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    std::string line;
-    if (!std::getline(file, line) || !line.starts_with(header))
+    const std::string_view start = header; // columns may follow
+    if (read_head(path, start.size()) != start)
         return;
-    file.close();
     std::error_code ignored;
     std::filesystem::remove(path, ignored);
 }

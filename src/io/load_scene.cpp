@@ -4,6 +4,7 @@
 #include "fascicle/base/parallel.hpp"
 #include "fascicle/base/param_table.hpp"
 #include "fascicle/base/state_hash.hpp"
+#include "fascicle/base/text.hpp"
 #include "fascicle/geometry/bounding_box.hpp"
 #include "fascicle/geometry/sphere_fit.hpp"
 #include "fascicle/io/attachment_file.hpp"
@@ -28,7 +29,7 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string name_of(const fs::path& path) {
-    const std::string name = path.stem().string();
+    const std::string name = valid_utf8(path.stem().string()); // what JSON can hold
     if (name.empty())
         throw_error(path.string(), "the file has no name to call the mesh by", "NAME.EXTENSION");
     return name;
@@ -86,7 +87,7 @@ void require_one_source(const SceneRequest& r) {
 }
 
 Muscle& muscle_named(Scene& scene, const std::string& option, const std::string& name) {
-    const int index = scene.muscle_index(name);
+    const int index = scene.muscle_index(valid_utf8(name));
     if (index < 0) {
         std::string known;
         for (const Muscle& muscle : scene.muscles)

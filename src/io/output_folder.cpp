@@ -1,42 +1,34 @@
 #include "fascicle/io/output_folder.hpp"
 
 #include "fascicle/base/error.hpp"
+#include "fascicle/base/text.hpp"
 #include "fascicle/scene/line_muscles.hpp"
 #include "fascicle/scene/model_motion.hpp"
 #include "io/run_files.hpp"
 
+#include <map>
 #include <set>
 
 namespace fascicle {
 namespace fs = std::filesystem;
 
-const fs::path& without_inputs(const fs::path& folder, const Scene& scene) {
-    std::set<fs::path> outputs;
-    const auto canonical = [](const fs::path& path) {
-        std::error_code code;
-        const fs::path found = fs::weakly_canonical(path, code);
-        return code ? path : found;
-    };
-    for (const char* name :
-         {"summary.json", "metrics.csv", "motion.csv", "fibres.csv", "lines.csv", "architecture.csv"})
-        outputs.insert(canonical(folder / name));
-    for (const Bone& bone : scene.bones)
-        outputs.insert(canonical(folder / io::bone_file(bone.name)));
-    for (const Muscle& muscle : scene.muscles)
-        outputs.insert(canonical(folder / io::series_file(muscle.name)));
+namespace {
+
+fs::path resolved(const fs::path& path) {
+    std::error_code code;
+    const fs::path found = fs::weakly_canonical(path, code);
+    return code ? path : found;
+}
+
+/// Calls check(source) for every file that the scene was read from.
+template <typename Check>
+void for_each_input(const Scene& scene, const std::vector<fs::path>& more_inputs, const Check& check_source) {
     const auto check = [&](const MeshSource& source) {
-        if (source.path.empty())
-            return;
-        const fs::path path = canonical(source.path);
-        bool clash = outputs.count(path) > 0;
-        for (const Muscle& muscle : scene.muscles)
-            clash = clash || ((path.parent_path() == canonical(folder / "frames") ||
-                               path.parent_path() == canonical(folder / "fibres")) &&
-                              io::frame_of_file(path, muscle.name) >= 0);
-        if (clash)
-            throw_error(folder.string(), "the output would replace the input " + source.path,
-                        "another output folder", ErrorKind::usage);
+        if (!source.path.empty())
+            check_source(source);
     };
+    for (const fs::path& input : more_inputs)
+        check({input.string(), {}});
     check(scene.motion_source);
     if (scene.model_motion != nullptr)
         check(scene.model_motion->model_source);
@@ -51,6 +43,57 @@ const fs::path& without_inputs(const fs::path& folder, const Scene& scene) {
         for (const MeshSource& source : muscle.outline_files)
             check(source);
     }
+}
+
+} // namespace
+
+void require_file_names(const Scene& scene) {
+    std::map<std::string, std::string> names; // of files, and whose
+    const auto add = [&](const std::string& name) {
+        const auto [it, is_new] = names.emplace(file_name_for(name), name);
+        if (!is_new)
+            throw_error("", "the names '" + it->second + "' and '" + name + "' would call the same file",
+                        "names that differ in more than separators");
+    };
+    for (const Bone& bone : scene.bones)
+        add(bone.name);
+    for (const Muscle& muscle : scene.muscles)
+        add(muscle.name);
+}
+
+void refuse_inputs(const std::vector<fs::path>& files, const Scene& scene) {
+    std::set<fs::path> outputs;
+    for (const fs::path& file : files)
+        outputs.insert(resolved(file));
+    for_each_input(scene, {}, [&](const MeshSource& source) {
+        if (outputs.count(resolved(source.path)) > 0)
+            throw_error(resolved(source.path).string(), "the output would replace this input",
+                        "another output folder", ErrorKind::usage);
+    });
+}
+
+const fs::path& without_inputs(const fs::path& folder, const Scene& scene,
+                               const std::vector<fs::path>& more_inputs) {
+    require_file_names(scene);
+    std::set<fs::path> outputs;
+    for (const char* name :
+         {"summary.json", "metrics.csv", "motion.csv", "fibres.csv", "lines.csv", "architecture.csv"})
+        outputs.insert(resolved(folder / name));
+    for (const Bone& bone : scene.bones)
+        outputs.insert(resolved(folder / io::bone_file(bone.name)));
+    for (const Muscle& muscle : scene.muscles)
+        outputs.insert(resolved(folder / io::series_file(muscle.name)));
+    for_each_input(scene, more_inputs, [&](const MeshSource& source) {
+        const fs::path path = resolved(source.path);
+        bool clash = outputs.count(path) > 0;
+        for (const Muscle& muscle : scene.muscles)
+            clash = clash || ((path.parent_path() == resolved(folder / "frames") ||
+                               path.parent_path() == resolved(folder / "fibres")) &&
+                              io::frame_of_file(path, muscle.name) >= 0);
+        if (clash)
+            throw_error(folder.string(), "the output would replace the input " + source.path,
+                        "another output folder", ErrorKind::usage);
+    });
     return folder;
 }
 

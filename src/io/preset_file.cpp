@@ -69,6 +69,10 @@ Preset read_preset(const fs::path& path) {
 }
 
 void write_preset(const fs::path& path, const Preset& preset) {
+    write_file(path, preset_text(preset));
+}
+
+std::string preset_text(const Preset& preset) {
     io::Json json;
     json["format"] = format_name;
     json["version"] = newest_version;
@@ -84,7 +88,8 @@ void write_preset(const fs::path& path, const Preset& preset) {
         else
             values[key] = text;
     }
-    write_file(path, json.dump(2) + "\n");
+    // A key may be a file's name, which need not be UTF-8.
+    return json.dump(2, ' ', false, io::Json::error_handler_t::replace) + "\n";
 }
 
 const std::vector<Preset>& built_in_presets() {

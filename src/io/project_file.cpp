@@ -29,8 +29,13 @@ Project read_project_file(const fs::path& path, int threads, const JobControl& c
 
 Project read_project_file(const fs::path& path, int threads, const JobControl& control,
                           const LocatedFiles& located) {
+    return read_project_text(read_file(path), path, threads, control, located);
+}
+
+Project read_project_text(std::string text, const fs::path& path, int threads, const JobControl& control,
+                          const LocatedFiles& located) {
     Project project;
-    project.text = read_file(path);
+    project.text = std::move(text);
     const io::Json json = io::parse_project(project.text, path);
     const io::JsonFields fields(json, path.string(), "");
     io::ProjectReader(fields, path, threads, control, located).read(project.scene, project.notes);

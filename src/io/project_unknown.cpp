@@ -88,7 +88,7 @@ void keep_in_list(Json& fresh, const Json& previous, const Child& child) {
 void keep(Json& fresh, const Json& previous, const Shape& shape) {
     for (const auto& [key, value] : previous.items()) {
         const bool known = std::any_of(shape.known.begin(), shape.known.end(),
-                                       [&](const char* name) { return name == key; });
+                                       [&name = key](const char* field) { return name == field; });
         if (!known && !fresh.contains(key))
             fresh[key] = value;
     }

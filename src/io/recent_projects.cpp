@@ -22,6 +22,12 @@ fs::path normal(const fs::path& path) {
     return (error ? path : full).lexically_normal();
 }
 
+std::int64_t seconds_of(const io::JsonFields& entry) {
+    constexpr double most =
+        1e15; // 30 million years; what is beyond cannot be a time, nor always be converted
+    return static_cast<std::int64_t>(std::clamp(entry.number("time", 0), -most, most));
+}
+
 void write_list(const fs::path& user_folder, const std::vector<RecentProject>& projects) {
     io::Json list = io::Json::array();
     for (const RecentProject& p : projects)
@@ -42,20 +48,23 @@ void remove_entry(const fs::path& user_folder, std::vector<RecentProject>& proje
 } // namespace
 
 std::vector<RecentProject> read_recent_projects(const fs::path& user_folder) {
-    std::vector<RecentProject> projects;
     const fs::path file = list_path(user_folder);
     std::error_code error;
     if (user_folder.empty() || !fs::exists(file, error))
-        return projects;
+        return {};
     try {
-        const io::Json json = io::parse_json_object(read_file(file, std::size_t{1} << 20), file.string());
-        for (const io::JsonFields& entry : io::JsonFields(json, file.string(), "").objects("recent"))
-            if (const std::string path = entry.text("path"); !path.empty())
-                projects.push_back(
-                    {path, entry.text("name"), static_cast<std::int64_t>(entry.number("time", 0))});
+        return parse_recent_projects(read_file(file, std::size_t{1} << 20), file.string());
     } catch (const Error&) {
-        projects.clear();
+        return {};
     }
+}
+
+std::vector<RecentProject> parse_recent_projects(std::string_view text, const std::string& file) {
+    std::vector<RecentProject> projects;
+    const io::Json json = io::parse_json_object(text, file);
+    for (const io::JsonFields& entry : io::JsonFields(json, file, "").objects("recent"))
+        if (const std::string path = entry.text("path"); !path.empty())
+            projects.push_back({path, entry.text("name"), seconds_of(entry)});
     projects.resize(std::min(projects.size(), recent_projects_kept));
     return projects;
 }

@@ -1,38 +1,27 @@
 #include "io/run_files.hpp"
 
+#include "fascicle/base/text.hpp"
 #include "io/formats/text_scanner.hpp"
 
-#include <algorithm>
-
 namespace fascicle::io {
-
-std::string file_name(std::string_view name) {
-    std::string out(name);
-    std::replace_if(
-        out.begin(), out.end(),
-        [](char c) { return c == '/' || c == '\\' || static_cast<unsigned char>(c) < 0x20; }, '_');
-    if (out.empty() || out[0] == '.')
-        out.insert(out.begin(), '_');
-    return out;
-}
 
 std::filesystem::path frame_file(std::string_view muscle, int frame) {
     std::string digits = std::to_string(frame);
     digits.insert(0, digits.size() < 4 ? 4 - digits.size() : 0, '0');
-    return std::filesystem::path("frames") / (file_name(muscle) + "." + digits + ".vtp");
+    return std::filesystem::path("frames") / (file_name_for(muscle) + "." + digits + ".vtp");
 }
 
 std::filesystem::path bone_file(std::string_view bone) {
-    return std::filesystem::path("bones") / (file_name(bone) + ".vtp");
+    return std::filesystem::path("bones") / (file_name_for(bone) + ".vtp");
 }
 
 std::filesystem::path series_file(std::string_view muscle) {
-    return file_name(muscle) + ".pvd";
+    return file_name_for(muscle) + ".pvd";
 }
 
 int frame_of_file(const std::filesystem::path& file, std::string_view muscle) {
     const std::string name = file.filename().string();
-    const std::string start = file_name(muscle) + ".", end = ".vtp";
+    const std::string start = file_name_for(muscle) + ".", end = ".vtp";
     if (name.size() < start.size() + 4 + end.size() || name.compare(0, start.size(), start) != 0 ||
         name.compare(name.size() - end.size(), end.size(), end) != 0)
         return -1;

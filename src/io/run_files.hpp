@@ -7,9 +7,7 @@
 
 namespace fascicle::io {
 
-/// The name as a file name: no folder separators, not hidden, not empty.
-std::string file_name(std::string_view name);
-/// frames/<muscle>.<frame, at least 4 digits>.vtp, relative to the run's folder.
+/// frames/<muscle>, the name as file_name_for makes it (base/text.hpp), .<frame, at least 4 digits>.vtp, relative to the run's folder.
 std::filesystem::path frame_file(std::string_view muscle, int frame);
 std::filesystem::path bone_file(std::string_view bone);
 std::filesystem::path series_file(std::string_view muscle);

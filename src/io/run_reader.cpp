@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 namespace {
 
 /// A vtp file as it stands: not mended, so that vertices and triangles are those that were written.
-MeshData read_vtp_file(const fs::path& path) {
-    return io::read_vtp(read_file(path), path.string());
+MeshData read_vtp_file(const RunFiles& files, const fs::path& path) {
+    return io::read_vtp(files.read(path), path.string());
 }
 
 LengthUnit unit_of(const io::JsonFields& summary) {
@@ -36,6 +36,12 @@ int row_frame(const CsvReader& csv, int column) {
     return static_cast<int>(value);
 }
 
+/// Error unless the table may have so many rows: nothing is made for frames that are only said to be there.
+void require_rows(const fs::path& path, std::string_view bytes, std::size_t rows, std::size_t row_bytes) {
+    if (rows > bytes.size() / row_bytes + 1)
+        throw_error(path.string(), "the table ends too early", std::to_string(rows) + " rows");
+}
+
 } // namespace
 
 bool is_run_folder(const fs::path& path) {
@@ -43,16 +49,24 @@ bool is_run_folder(const fs::path& path) {
     return fs::is_regular_file(path / "summary.json", ignored);
 }
 
-RunReader::RunReader(fs::path folder) : folder_(std::move(folder)) {
+RunFiles RunFiles::on_disk() {
+    return {[](const fs::path& path) { return read_file(path); },
+            [](const fs::path& path) {
+                std::error_code ignored;
+                return fs::exists(path, ignored);
+            }};
+}
+
+RunReader::RunReader(fs::path folder, RunFiles files) : folder_(std::move(folder)), files_(std::move(files)) {
     read_summary();
-    read_motion();
     read_angles();
+    read_motion();
     read_rest();
 }
 
 void RunReader::read_summary() {
     const std::string file = (folder_ / "summary.json").string();
-    const io::Json json = io::parse_json_object(read_file(file), file);
+    const io::Json json = io::parse_json_object(files_.read(file), file);
     const io::JsonFields summary(json, file, "");
     const auto list = json.find("vtp_frames");
     if (list == json.end() || !list->is_array() || list->empty())
@@ -75,7 +89,7 @@ void RunReader::read_summary() {
         Bone bone;
         bone.name = entry.text("name");
         bone.source = source(entry);
-        MeshData data = read_vtp_file(folder_ / io::bone_file(bone.name));
+        MeshData data = read_vtp_file(files_, folder_ / io::bone_file(bone.name));
         bone.mesh = std::make_shared<const TriMesh>(std::move(data.mesh));
         scene->bones.push_back(std::move(bone));
     }
@@ -89,14 +103,20 @@ void RunReader::read_summary() {
     if (summary.has("hinge")) {
         const io::JsonFields hinge = summary.object("hinge");
         scene->timeline.hinge = Hinge{hinge.vector("centre"), hinge.vector("axis")};
+        if (const double length = scene->timeline.hinge->axis.norm(); !(length > 0 && std::isfinite(length)))
+            hinge.fail("axis", "has no direction", "an axis other than 0,0,0");
     }
     if (summary.has("parameters"))
         for (const auto& [key, value] : summary.object("parameters").json().items())
             if (scene->parameters.table().find(key) != nullptr) {
-                if (value.is_string())
-                    scene->parameters.set_text(key, value.get<std::string>());
-                else if (value.is_number())
-                    scene->parameters.set(key, value.get<double>());
+                try {
+                    if (value.is_string())
+                        scene->parameters.set_text(key, value.get<std::string>());
+                    else if (value.is_number())
+                        scene->parameters.set(key, value.get<double>());
+                } catch (const Error& error) {
+                    throw_error(file + ", parameters", error.what());
+                }
             }
     scene->timeline.last_frame = frames_.back();
     if (const auto notes = json.find("notes"); notes != json.end() && notes->is_array())
@@ -114,9 +134,11 @@ void RunReader::read_motion() {
         throw_error(folder_.string(),
                     std::to_string(count) + " frames of " + std::to_string(scene_->bones.size()) + " bones",
                     "at most 20 million poses");
-    poses_.assign(count, std::vector<Pose>(scene_->bones.size()));
     const fs::path path = folder_ / "motion.csv";
-    const std::string bytes = read_file(path);
+    const std::string bytes = files_.read(path);
+    require_rows(path, bytes, count * scene_->bones.size(),
+                 28); // "0,a,1,0,0,0,0,1,0,0,0,0,1,0" and a line end
+    poses_.assign(count, std::vector<Pose>(scene_->bones.size()));
     CsvReader csv(bytes, path.string());
     const int frame_column = csv.column("frame"), bone_column = csv.column("bone");
     int m[3][4];
@@ -145,10 +167,12 @@ void RunReader::read_motion() {
 }
 
 void RunReader::read_angles() {
-    angles_.assign(poses_.size(), 0.0);
-    solve_seconds_.assign(poses_.size(), 0.0);
+    const auto count = static_cast<std::size_t>(frames_.back()) + 1;
     const fs::path path = folder_ / "metrics.csv";
-    const std::string bytes = read_file(path);
+    const std::string bytes = files_.read(path);
+    require_rows(path, bytes, count, 4); // "0,0" and a line end
+    angles_.assign(count, 0.0);
+    solve_seconds_.assign(count, 0.0);
     CsvReader csv(bytes, path.string());
     const int frame_column = csv.column("frame"), angle_column = csv.column("angle_deg"),
               time_column = csv.column("solve_ms"); // of tables that have it
@@ -167,11 +191,10 @@ void RunReader::read_angles() {
 namespace {
 
 /// Fibres of a run's rest, bound to the muscle's surface there; null when there is no such file.
-FibreModelPtr read_fibres(const fs::path& path, const TriMesh& surface) {
-    std::error_code ignored;
-    if (!fs::exists(path, ignored))
+FibreModelPtr read_fibres(const RunFiles& files, const fs::path& path, const TriMesh& surface) {
+    if (!files.exists(path))
         return nullptr;
-    const MeshData data = read_vtp_file(path);
+    const MeshData data = read_vtp_file(files, path);
     auto model = std::make_shared<FibreModel>();
     FibreSet& rest = model->rest;
     rest.count = static_cast<int>(data.lines.lines.size());
@@ -197,7 +220,7 @@ void RunReader::read_rest() {
         scene->timeline.angles.push_back({static_cast<double>(k), angles_[k]});
     for (Muscle& muscle : scene->muscles) {
         const fs::path path = folder_ / io::frame_file(muscle.name, 0);
-        MeshData data = read_vtp_file(path);
+        MeshData data = read_vtp_file(files_, path);
         const auto find = [&](const char* name) -> const NamedArray* {
             for (const NamedArray& array : data.point_arrays)
                 if (array.name == name && array.components == 1)
@@ -228,7 +251,7 @@ void RunReader::read_rest() {
         muscle.attachments = attachments;
         attachments_.push_back(std::move(attachments));
         muscle.mesh = std::make_shared<const TriMesh>(std::move(data.mesh));
-        fibres_.push_back(read_fibres(folder_ / fibre_file(muscle.name, 0), *muscle.mesh));
+        fibres_.push_back(read_fibres(files_, folder_ / fibre_file(muscle.name, 0), *muscle.mesh));
     }
     scene_ = std::move(scene);
 }
@@ -248,7 +271,7 @@ FramePtr RunReader::read_frame(int frame) const {
     out->report.solve_seconds = solve_seconds_[static_cast<std::size_t>(frame)];
     for (const Muscle& muscle : scene_->muscles) {
         const fs::path path = folder_ / io::frame_file(muscle.name, frame);
-        MeshData data = read_vtp_file(path);
+        MeshData data = read_vtp_file(files_, path);
         if (data.mesh.positions.size() != muscle.mesh->positions.size())
             throw_error(path.string(), "has " + std::to_string(data.mesh.positions.size()) + " points",
                         std::to_string(muscle.mesh->positions.size()) + ", as at rest");

@@ -2,6 +2,7 @@
 
 #include "fascicle/base/build_info.hpp"
 #include "fascicle/base/state_hash.hpp"
+#include "fascicle/io/run_provenance.hpp"
 #include "fascicle/scene/line_muscles.hpp"
 #include "fascicle/scene/model_motion.hpp"
 
@@ -193,4 +194,18 @@ std::string run_summary(const Recording& recording, const RunOutputOptions& opti
 }
 
 } // namespace io
+
+std::string run_provenance(const Recording& recording) {
+    const Scene& scene = recording.scene();
+    const FramePtr last = recording.last_frame();
+    io::Json json;
+    json["program"] = std::string("fascicle ") + program_version();
+    json["scene"] = scene.name;
+    json["unit"] = to_text(scene.unit);
+    json["method"] = scene.parameters.get_choice("solver.method");
+    json["state_hash"] = last ? state_hash(*last) : std::string();
+    json["parameters"] = io::parameters_json(scene.parameters);
+    return json.dump(-1, ' ', false, io::Json::error_handler_t::replace);
+}
+
 } // namespace fascicle

@@ -8,6 +8,8 @@
 #include "fascicle/io/line_table.hpp"
 #include "fascicle/io/mesh_file.hpp"
 #include "fascicle/io/output_folder.hpp"
+#include "fascicle/io/series_file.hpp"
+#include "fascicle/io/staged_files.hpp"
 #include "fascicle/metrics/metric_table.hpp"
 #include "fascicle/scene/line_muscles.hpp"
 #include "fascicle/scene/model_motion.hpp"
@@ -17,13 +19,17 @@
 #include "io/run_summary.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <numbers>
+#include <set>
 
 namespace fascicle {
 namespace fs = std::filesystem;
 
 struct RunWriter::Impl {
-    fs::path folder;
+    fs::path target; ///< where all is in the end
+    StagedFiles staged;
+    fs::path folder; ///< where all is meanwhile
     ScenePtr scene;
     RunOutputOptions options;
     AtomicFile metrics_file, motion_file;
@@ -41,8 +47,9 @@ struct RunWriter::Impl {
     std::vector<std::vector<NamedArray>> last_arrays;
 
     Impl(const fs::path& where, ScenePtr what, RunOutputOptions how)
-        : folder(where), scene(std::move(what)), options(std::move(how)),
-          metrics_file(without_inputs(where, *scene) / "metrics.csv"), motion_file(where / "motion.csv") {}
+        : target(without_inputs(where, *what)), staged(target), folder(staged.place()),
+          scene(std::move(what)), options(std::move(how)), metrics_file(folder / "metrics.csv"),
+          motion_file(folder / "motion.csv") {}
 
     void headers();
     void write_metrics(const std::vector<const FibreSeries*>& series);
@@ -50,7 +57,8 @@ struct RunWriter::Impl {
     void write_bones() const;
     void write_frame(const Frame& frame, const std::vector<std::vector<NamedArray>>& arrays);
     std::vector<NamedArray> attachment_arrays(std::size_t muscle) const;
-    void remove_stale_frames() const;
+    void remove_stale(bool after_a_run, const std::set<fs::path>& written) const;
+    void commit();
 };
 
 void RunWriter::Impl::headers() {
@@ -102,19 +110,28 @@ void RunWriter::Impl::write_frame(const Frame& frame, const std::vector<std::vec
     vtp_frames.push_back(frame.index);
 }
 
-/// Frames of an earlier run in the same folder that this one did not reach would pass for its own.
-void RunWriter::Impl::remove_stale_frames() const {
+/// What an earlier run in the same folder left and this one did not replace would pass for its own. Only what has names of ours.
+void RunWriter::Impl::remove_stale(bool after_a_run, const std::set<fs::path>& written) const {
     std::error_code ignored;
     std::vector<fs::path> stale;
-    for (const char* part : {"frames", "fibres"})
-        for (const auto& entry : fs::directory_iterator(folder / part, ignored))
-            for (const Muscle& muscle : scene->muscles) {
-                const int frame = io::frame_of_file(entry.path(), muscle.name);
-                if (frame >= 0 && !std::binary_search(vtp_frames.begin(), vtp_frames.end(), frame))
-                    stale.push_back(entry.path());
-            }
-    for (const fs::path& path : stale)
-        fs::remove(path, ignored);
+    if (options.vtp || after_a_run) {
+        for (const char* part : {"frames", "fibres"})
+            for (fs::directory_iterator it(target / part, ignored), end; !ignored && it != end;
+                 it.increment(ignored))
+                for (const Muscle& muscle : scene->muscles)
+                    if (io::frame_of_file(it->path(), muscle.name) >= 0)
+                        stale.push_back(fs::path(part) / it->path().filename());
+        for (const Muscle& muscle : scene->muscles)
+            stale.push_back(io::series_file(muscle.name));
+    }
+    if (after_a_run)
+        stale.insert(stale.end(), {"rest.png", "flexed.png", "last.png", "film_strip.png"});
+    stale.emplace_back("fibres.csv");
+    for (const fs::path& file : stale)
+        if (written.count(file) == 0)
+            fs::remove(target / file, ignored);
+    if (written.count("lines.csv") == 0)
+        remove_line_table(target / "lines.csv");
 }
 
 RunWriter::RunWriter(fs::path folder, ScenePtr scene, RunOutputOptions options) {
@@ -140,13 +157,8 @@ void RunWriter::add_frame(FramePtr frame, const std::vector<std::vector<double>>
     FASCICLE_ASSERT(frame->muscle_positions.size() == muscles && metrics.size() == muscles);
     FASCICLE_ASSERT(frame->bone_poses.size() == me.scene->bones.size());
     FASCICLE_ASSERT(me.last == nullptr || frame->index > me.last->index);
-    if (me.last == nullptr) {
-        // The folder is this run's from here on: an earlier summary would speak of other frames.
-        std::error_code ignored;
-        fs::remove(me.folder / "summary.json", ignored);
-        if (me.options.vtp)
-            me.write_bones();
-    }
+    if (me.last == nullptr && me.options.vtp)
+        me.write_bones();
     for (std::size_t m = 0; m < muscles; ++m) {
         FASCICLE_ASSERT(metrics[m].size() == me.options.metric_columns.size());
         me.lines.push_back({frame->index, m, frame->angle_rad * 180.0 / std::numbers::pi, metrics[m]});
@@ -217,20 +229,34 @@ void RunWriter::Impl::write_fibres(const Recording& recording,
             continue;
         present.push_back(series[m]);
         FibreSet fibres = series[m]->rest();
+        std::vector<std::pair<double, std::string>> steps;
         for (const int k : vtp_frames) {
             models.at(m)->carrier.carry(*recording.frame(k)->muscle_positions[m], fibres.points);
             write_mesh_file(folder / fibre_file(scene->muscles[m].name, k),
                             fibre_lines(*series[m], k, fibres));
+            steps.emplace_back(k * scene->parameters.get("solver.frame_time"),
+                               fibre_file(scene->muscles[m].name, k).filename().string());
         }
+        if (!steps.empty())
+            write_series_file(folder / "fibres" / io::series_file(scene->muscles[m].name), steps);
     }
-    std::error_code ignored;
-    if (present.empty())
-        fs::remove(folder / "fibres.csv", ignored); // of an earlier run in the same folder
-    else
+    if (!present.empty())
         write_fibre_table(folder / "fibres.csv", present);
 }
 
-void RunWriter::finish(const Recording& recording, const std::vector<const FibreSeries*>& series) {
+void RunWriter::Impl::commit() {
+    std::error_code ignored;
+    const bool after_a_run = fs::is_regular_file(target / "summary.json", ignored);
+    std::set<fs::path> written;
+    for (fs::recursive_directory_iterator it(folder, ignored), end; !ignored && it != end;
+         it.increment(ignored))
+        written.insert(it->path().lexically_relative(folder));
+    staged.commit(*scene);
+    remove_stale(after_a_run, written);
+}
+
+void RunWriter::finish(const Recording& recording, const std::vector<const FibreSeries*>& series,
+                       const std::function<void(const fs::path&)>& more) {
     Impl& me = *impl_;
     me.write_metrics(series);
     if (!me.metrics_file.stream())
@@ -238,7 +264,6 @@ void RunWriter::finish(const Recording& recording, const std::vector<const Fibre
     if (me.options.vtp && me.last && (me.vtp_frames.empty() || me.vtp_frames.back() != me.last->index))
         me.write_frame(*me.last, me.last_arrays);
     if (me.options.vtp) {
-        me.remove_stale_frames();
         const double frame_time = me.scene->parameters.get("solver.frame_time");
         for (const Muscle& muscle : me.scene->muscles) {
             std::vector<std::pair<double, std::string>> files;
@@ -252,11 +277,20 @@ void RunWriter::finish(const Recording& recording, const std::vector<const Fibre
     me.write_fibres(recording, series);
     if (me.scene->line_muscles != nullptr)
         write_line_table(me.folder / "lines.csv", line_series(recording));
-    else
-        remove_line_table(me.folder / "lines.csv"); // of an earlier run in the same folder
     me.metrics_file.commit();
     me.motion_file.commit();
     write_file(me.folder / "summary.json", io::run_summary(recording, me.options, me.vtp_frames));
+    if (!more)
+        return me.commit();
+    std::exception_ptr failure;
+    try {
+        more(me.folder);
+    } catch (...) {
+        failure = std::current_exception();
+    }
+    me.commit();
+    if (failure)
+        std::rethrow_exception(failure);
 }
 
 } // namespace fascicle

@@ -12,4 +12,12 @@ void write_series_file(const std::filesystem::path& path,
     file.commit();
 }
 
+std::vector<std::pair<double, std::string>> parse_series(std::string_view bytes, const std::string& file) {
+    return io::read_pvd(bytes, file);
+}
+
+bool looks_like_series(std::string_view bytes) {
+    return io::looks_like_pvd(bytes);
+}
+
 } // namespace fascicle

@@ -16,7 +16,11 @@ constexpr std::size_t most_bytes = 1 << 20;
 } // namespace
 
 Settings read_settings(const fs::path& path) {
-    const io::Json json = io::parse_json_object(read_file(path, most_bytes), path.string());
+    return parse_settings(read_file(path, most_bytes), path.string());
+}
+
+Settings parse_settings(std::string_view text, const std::string& file) {
+    const io::Json json = io::parse_json_object(text, file);
     Settings settings;
     for (const auto& [key, value] : json.items())
         if (value.is_boolean())
@@ -45,7 +49,12 @@ void write_settings(const fs::path& path, const Settings& settings) {
 
 std::map<std::string, std::vector<std::string>> read_text_lists(const fs::path& path,
                                                                 std::vector<std::string>& bad) {
-    const io::Json json = io::parse_json_object(read_file(path, most_bytes), path.string());
+    return parse_text_lists(read_file(path, most_bytes), path.string(), bad);
+}
+
+std::map<std::string, std::vector<std::string>>
+parse_text_lists(std::string_view text, const std::string& file, std::vector<std::string>& bad) {
+    const io::Json json = io::parse_json_object(text, file);
     std::map<std::string, std::vector<std::string>> lists;
     for (const auto& [key, value] : json.items()) {
         std::vector<std::string>& list = lists[key];

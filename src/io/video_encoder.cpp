@@ -3,6 +3,7 @@
 #include "fascicle/base/assert.hpp"
 #include "fascicle/base/error.hpp"
 #include "fascicle/base/param_table.hpp"
+#include "fascicle/io/files.hpp"
 
 #include <cerrno>
 #include <csignal>
@@ -103,6 +104,7 @@ fs::path find_video_encoder() {
 
 struct VideoEncoder::Impl {
     fs::path file, part;
+    std::unique_ptr<MadeFolders> folders;
     std::size_t bytes = 0;
     const std::atomic<bool>* cancel = nullptr;
     pid_t child = -1;
@@ -211,12 +213,11 @@ VideoEncoder::VideoEncoder(const fs::path& encoder, fs::path file, int width, in
     me.cancel = cancel;
     std::error_code error;
     const fs::path folder = fs::absolute(me.file, error).parent_path();
-    fs::create_directories(folder, error);
-    if (error)
-        me.fail("cannot make the folder (" + error.message() + ")");
+    check_output_name(me.file);
+    me.folders = std::make_unique<MadeFolders>(folder);
     // A whole path, so that no name looks like an option of the encoder.
     fs::path part = ".";
-    part += me.file.filename();
+    part += me.file.filename().string().substr(0, 220); // a name has 255 bytes at most
     part += ".part-" + std::to_string(::getpid());
     me.part = folder / part;
     me.start(arguments(encoder, me.part, width, height, fps));
@@ -266,6 +267,7 @@ void VideoEncoder::commit() {
     if (error)
         me.fail("cannot write the film (" + error.message() + ")");
     me.part.clear();
+    me.folders->keep();
 }
 
 } // namespace fascicle

@@ -94,16 +94,16 @@ std::vector<MetricRow> make_rows() {
     for (const auto& [name, part] : parts)
         fibres(std::string("fibre_length_") + name + "_mm", std::string("Fibre length, ") + name, "mm",
                "Length of the fibres, from origin to insertion.",
-               [part](const FibreMeasure& f) { return f.length_mm().*part; });
+               [part = part](const FibreMeasure& f) { return f.length_mm().*part; });
     for (const auto& [name, part] : parts)
         fibres(std::string("fibre_strain_") + name, std::string("Fibre strain, ") + name, "1",
                "Change of length against rest length over the fibres.",
-               [part](const FibreMeasure& f) { return f.strain().*part; });
+               [part = part](const FibreMeasure& f) { return f.strain().*part; });
     for (const auto& [name, part] : parts) {
         fibres(std::string("moment_arm_") + name + "_mm", std::string("Moment arm, ") + name, "mm",
                "Moment arm of the fibres by tendon excursion, positive for what shortens on the way out.",
                [none](const FibreMeasure&) { return none; });
-        rows.back().over_run = [part](const FibreSeries& series, int k) {
+        rows.back().over_run = [part = part](const FibreSeries& series, int k) {
             return series.band(FibreQuantity::moment_arm, k).*part;
         };
     }

@@ -13,6 +13,9 @@ enum class EndRule { natural, simm };
 ///   h_{i-1} s_{i-1} + 2 (h_{i-1} + h_i) s_i + h_i s_{i+1} = 3 (g_i - g_{i-1}).
 /// Ends: s = 0 (natural), or (s_1 - s_0) / h_0 = 3 w (simm), where w is the third divided difference of the four nearest
 /// knots: the third derivative of a cubic c3 u^3 is 6 c3, and that of the piece is 2 (s_1 - s_0) / h_0. Three knots: w = 0.
+/// The same spline as OpenSim's: SimmSpline::calcCoefficients (opensim-core, OpenSim/Common/SimmSpline.cpp, read in 2026) solves for
+/// f''/6 with the rows above divided by 3 and ends -h c_0 + h c_1 = w h^2, and has w = 0 for three knots; two are a line, and beyond the ends
+/// calcValue goes on with the slope there.
 /// All rows have three entries, so elimination without pivots will do: no pivot gets smaller than its row's step lengths.
 std::vector<double> half_second_derivatives(const std::vector<double>& x, const std::vector<double>& y,
                                             EndRule rule) {

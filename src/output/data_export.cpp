@@ -2,29 +2,10 @@
 
 #include "fascicle/base/assert.hpp"
 #include "fascicle/base/error.hpp"
-#include "fascicle/io/fibre_files.hpp"
-#include "fascicle/io/files.hpp"
-#include "fascicle/io/mesh_file.hpp"
-#include "fascicle/io/output_folder.hpp"
-#include "fascicle/io/run_writer.hpp"
-#include "fascicle/io/series_file.hpp"
-#include "fascicle/metrics/metric_table.hpp"
-#include "fascicle/metrics/muscle_measure.hpp"
-#include "output/staged_files.hpp"
-
-#include <algorithm>
-#include <cstdio>
 
 namespace fascicle::output {
-namespace fs = std::filesystem;
 
 namespace {
-
-std::string numbered(const std::string& name, int frame) {
-    char number[24];
-    std::snprintf(number, sizeof number, "_%04d.vtp", frame);
-    return name + number;
-}
 
 /// Frames of the recording as it is now, as a recording of its own: one that is still computed would go on growing.
 RecordingPtr copy_of(const Recording& recording) {
@@ -40,188 +21,6 @@ RecordingPtr copy_of(const Recording& recording) {
         copy->append(recording.frame(k));
     copy->finish(state == RunState::running ? RunState::cancelled : state, recording.failure());
     return copy;
-}
-
-/// Depth inside bones and extension, as simulate's frames have them.
-std::vector<std::vector<NamedArray>> point_arrays(const MetricsEngine& metrics, std::size_t muscles) {
-    std::vector<std::vector<NamedArray>> arrays;
-    for (std::size_t m = 0; m < muscles; ++m) {
-        const MuscleMeasure& muscle = metrics.muscle(static_cast<int>(m));
-        arrays.push_back({{"depth", 1, muscle.depth_mm_at_vertices()},
-                          {"edge_extension", 1, muscle.edge_extension_at_vertices()}});
-    }
-    return arrays;
-}
-
-std::vector<const FibreSeries*> series_of(const MetricsEngine& metrics, std::size_t muscles) {
-    std::vector<const FibreSeries*> series;
-    for (std::size_t m = 0; m < muscles; ++m) {
-        const FibreMeasure* fibres = metrics.muscle(static_cast<int>(m)).fibres();
-        series.push_back(fibres != nullptr ? &fibres->series() : nullptr);
-    }
-    return series;
-}
-
-/// A folder as `simulate` leaves it; vtp: with its meshes.
-void write_run(const fs::path& folder, const Recording& recording, bool vtp, int threads,
-               const JobControl& control) {
-    const std::size_t muscles = recording.scene().muscles.size();
-    RunWriter writer(folder, recording.scene_ptr(), {vtp, 1, {}, threads});
-    writer.set_attachments(recording.attachments());
-    MetricsEngine metrics(recording, threads);
-    const int count = recording.frame_count();
-    for (int k = 0; k < count; ++k) {
-        control.checkpoint("measuring", double(k) / count);
-        const FramePtr frame = recording.frame(k);
-        const auto values = metrics.measure(*frame);
-        writer.add_frame(frame, values,
-                         vtp ? point_arrays(metrics, muscles) : std::vector<std::vector<NamedArray>>{});
-    }
-    writer.finish(recording, series_of(metrics, muscles));
-}
-
-void move_file(const fs::path& from, const fs::path& to) {
-    std::error_code error;
-    fs::rename(from, to, error);
-    if (error)
-        throw_error(to.string(), "cannot write the file (" + error.message() + ")",
-                    "a folder that can be written to");
-}
-
-/// The table alone, and beside it what was run.
-void write_metrics(const ExportRequest& request, const Recording& recording, const JobControl& control) {
-    fs::path facts = request.target;
-    facts.replace_extension(".json");
-    for (const fs::path& file : {request.target, facts})
-        check_no_input(file, recording.scene());
-    std::error_code ignored;
-    StagedFiles files(fs::absolute(request.target, ignored).parent_path());
-    write_run(files.place() / "run", recording, false, request.threads, control);
-    move_file(files.place() / "run" / "summary.json", facts);
-    move_file(files.place() / "run" / "metrics.csv", request.target);
-}
-
-std::vector<NamedArray> attachment_arrays(const Recording& recording, std::size_t m) {
-    NamedArray kind{
-        "attachment", 1,
-        std::vector<double>(static_cast<std::size_t>(recording.scene().muscles[m].mesh->vertex_count()))};
-    const auto lists = recording.attachments();
-    if (m < lists.size())
-        for (const Attachment& a : lists[m])
-            for (const int v : a.vertices)
-                kind.values[static_cast<std::size_t>(v)] = a.kind == AttachmentKind::origin      ? 1
-                                                           : a.kind == AttachmentKind::insertion ? 2
-                                                                                                 : 3;
-    return {kind};
-}
-
-TriMesh posed(const TriMesh& mesh, const Pose& pose) {
-    TriMesh moved = mesh;
-    for (Vec3& p : moved.positions)
-        p = pose.apply(p);
-    return moved;
-}
-
-void write_meshes(const ExportRequest& request, const Recording& recording, const JobControl& control) {
-    const Scene& scene = recording.scene();
-    const std::vector<int> places = chosen_frames(recording, request);
-    const double frame_time = scene.parameters.get("solver.frame_time");
-    StagedFiles files(request.target);
-    MetricsEngine metrics(recording, request.threads);
-    std::map<std::string, std::vector<std::pair<double, std::string>>> series;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        control.checkpoint("meshes", double(i) / double(places.size()));
-        const FramePtr frame = recording.frame(places[i]);
-        metrics.measure(*frame);
-        const auto write = [&](const std::string& name, const MeshData& data) {
-            const std::string file = numbered(name, frame->index);
-            write_mesh_file(files.place() / file, data);
-            series[name].emplace_back(frame->index * frame_time, file);
-        };
-        const auto arrays = point_arrays(metrics, scene.muscles.size());
-        for (std::size_t m = 0; m < scene.muscles.size(); ++m) {
-            MeshData data;
-            data.mesh = {*frame->muscle_positions[m], scene.muscles[m].mesh->triangles};
-            data.point_arrays = attachment_arrays(recording, m);
-            data.point_arrays.insert(data.point_arrays.end(), arrays[m].begin(), arrays[m].end());
-            write(scene.muscles[m].name, data);
-        }
-        for (std::size_t b = 0; b < scene.bones.size(); ++b) {
-            MeshData data;
-            data.mesh = posed(*scene.bones[b].mesh, frame->bone_poses[b]);
-            write(scene.bones[b].name, data);
-        }
-    }
-    for (const auto& [name, steps] : series)
-        write_series_file(files.place() / (name + ".pvd"), steps);
-    files.commit(scene);
-}
-
-/// Groups of one OBJ, names as they are but for white space, which ends a name there.
-void write_mesh(const ExportRequest& request, const Recording& recording) {
-    check_no_input(request.target, recording.scene());
-    const Scene& scene = recording.scene();
-    const FramePtr frame = recording.frame(place_of_frame(recording, request.frame));
-    AtomicFile file(request.target);
-    std::ostream& out = file.stream();
-    out << "# " << (scene.unit == LengthUnit::metre ? "1 unit = 1000.000000 mm" : "1 unit = 1.000000 mm")
-        << "\n# frame " << frame->index << "\n";
-    int offset = 1;
-    const auto group = [&](std::string name, const Points& points, const std::vector<Tri>& triangles) {
-        for (char& c : name)
-            if (static_cast<unsigned char>(c) <= ' ')
-                c = '_';
-        out << "o " << name << "\n";
-        for (const Vec3& p : points)
-            out << "v " << number_text(p.x()) << ' ' << number_text(p.y()) << ' ' << number_text(p.z())
-                << "\n";
-        for (const Tri& t : triangles)
-            out << "f " << t[0] + offset << ' ' << t[1] + offset << ' ' << t[2] + offset << "\n";
-        offset += static_cast<int>(points.size());
-    };
-    for (std::size_t m = 0; m < scene.muscles.size(); ++m)
-        group(scene.muscles[m].name, *frame->muscle_positions[m], scene.muscles[m].mesh->triangles);
-    for (std::size_t b = 0; b < scene.bones.size(); ++b)
-        group(scene.bones[b].name, posed(*scene.bones[b].mesh, frame->bone_poses[b]).positions,
-              scene.bones[b].mesh->triangles);
-    file.commit();
-}
-
-/// Moment arms are a matter of the whole run, so all frames are followed, whatever is written.
-void write_fibres(const ExportRequest& request, const Recording& recording, const JobControl& control) {
-    const Scene& scene = recording.scene();
-    const std::vector<FibreModelPtr> models = recording.fibres();
-    if (std::none_of(models.begin(), models.end(), [](const FibreModelPtr& m) { return m != nullptr; }))
-        throw_error(request.target.string(), "the run has no fibres", "a run with fibres.method set");
-    const std::vector<int> places = chosen_frames(recording, request);
-    StagedFiles files(request.target);
-    MetricsEngine metrics(recording, request.threads);
-    const int count = recording.frame_count();
-    for (int k = 0; k < count; ++k) {
-        control.checkpoint("fibres", 0.7 * k / count);
-        metrics.measure(*recording.frame(k));
-    }
-    const double frame_time = scene.parameters.get("solver.frame_time");
-    std::vector<const FibreSeries*> present;
-    const std::vector<const FibreSeries*> series = series_of(metrics, scene.muscles.size());
-    for (std::size_t m = 0; m < series.size(); ++m) {
-        if (series[m] == nullptr)
-            continue;
-        present.push_back(series[m]);
-        FibreSet fibres = series[m]->rest();
-        std::vector<std::pair<double, std::string>> steps;
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            control.checkpoint("fibres", 0.7 + 0.3 * double(i) / double(places.size()));
-            const FramePtr frame = recording.frame(places[i]);
-            models.at(m)->carrier.carry(*frame->muscle_positions[m], fibres.points);
-            const std::string file = numbered(scene.muscles[m].name + "_fibres", frame->index);
-            write_mesh_file(files.place() / file, fibre_lines(*series[m], frame->index, fibres));
-            steps.emplace_back(frame->index * frame_time, file);
-        }
-        write_series_file(files.place() / (scene.muscles[m].name + "_fibres.pvd"), steps);
-    }
-    write_fibre_table(files.place() / "fibres.csv", present);
-    files.commit(scene);
 }
 
 } // namespace
@@ -258,24 +57,9 @@ void export_data(const ExportRequest& request, const Recording& growing, const J
     const RecordingPtr recording = copy_of(growing);
     if (recording->frame_count() == 0)
         throw_error(request.target.string(), "nothing is computed yet", "a run with at least its rest frame");
-    switch (request.kind) {
-    case ExportKind::meshes:
-        return write_meshes(request, *recording, control);
-    case ExportKind::mesh:
-        return write_mesh(request, *recording);
-    case ExportKind::fibres:
-        return write_fibres(request, *recording, control);
-    case ExportKind::metrics:
-        return write_metrics(request, *recording, control);
-    case ExportKind::run: {
-        without_inputs(request.target, recording->scene());
-        StagedFiles files(request.target);
-        write_run(files.place(), *recording, true, request.threads, control);
-        return files.commit(recording->scene());
-    }
-    default:
-        FASCICLE_ASSERT(false);
-    }
+    const ExportKindRow& row = export_kind(request.kind);
+    FASCICLE_ASSERT(row.write != nullptr);
+    row.write(request, *recording, control);
 }
 
 } // namespace fascicle::output

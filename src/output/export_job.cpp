@@ -103,7 +103,7 @@ ExportJob::ExportJob(ExportRequest request, RecordingPtr recording, PictureLook 
     Worker& worker = *worker_;
     const auto work = [this, &worker, measured = std::move(measured)] {
         worker.run([&] {
-            if (request_.kind == ExportKind::report) {
+            if (request_.kind == "report") {
                 std::vector<std::string> titles;
                 for (const Shot& shot : shots_)
                     titles.push_back(shot.title);
@@ -132,9 +132,9 @@ void ExportJob::plan(const PictureLook& look) {
     own.width = allowed_side(look.width, request_.kind);
     own.height = allowed_side(look.height, request_.kind);
     own.transparent = look.transparent && export_kind(request_.kind).traits.clear;
-    if (request_.kind == ExportKind::report) {
+    if (request_.kind == "report") {
         shots_ = report_shots(*recording_, look);
-    } else if (request_.kind == ExportKind::picture) {
+    } else if (request_.kind == "picture") {
         shots_.push_back(
             {recording_->frame_count() == 0 ? -1 : place_of_frame(*recording_, request_.frame), own, {}});
     } else {
@@ -142,7 +142,7 @@ void ExportJob::plan(const PictureLook& look) {
             shots_.push_back({place, own, {}});
     }
     total_ = static_cast<int>(shots_.size());
-    if (request_.kind != ExportKind::gif)
+    if (request_.kind != "gif")
         return;
     // Samples for the palette: small, spread over the film.
     const double shrink = std::min(1.0, 480.0 / std::max(own.width, own.height));
@@ -243,7 +243,7 @@ double ExportJob::fraction() const {
         return worker_->fraction;
     const double pictures = double(next_) / double(shots_.size());
     // A report's pictures are quick, its measuring takes the time.
-    return request_.kind == ExportKind::report ? 0.2 * pictures + 0.8 * worker_->fraction : pictures;
+    return request_.kind == "report" ? 0.2 * pictures + 0.8 * worker_->fraction : pictures;
 }
 
 std::string ExportJob::stage() const {

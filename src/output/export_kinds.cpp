@@ -1,5 +1,10 @@
 #include "output/export_kinds.hpp"
 
+#include "fascicle/base/assert.hpp"
+#include "output/animation_export.hpp"
+#include "output/export_estimates.hpp"
+#include "output/export_writers.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -8,78 +13,176 @@ namespace fascicle::output {
 namespace fs = std::filesystem;
 
 std::span<const ExportKindRow> export_kinds() {
-    static constexpr std::array<ExportKindRow, 10> rows{{
-        {ExportKind::picture,
-         "picture",
+    static constexpr std::array<ExportKindRow, 16> rows{{
+        {"picture",
          "Picture",
          "The shown frame as a PNG, sharper than the screen if you like.",
          ".png",
-         {.draws = true, .size = true, .clear = true}},
-        {ExportKind::pictures,
-         "pictures",
+         "\xEF\x80\xBE",
+         nullptr,
+         {.draws = true, .one = true, .size = true, .clear = true, .rest = true},
+         estimate_picture,
+         nullptr},
+        {"frames",
          "Numbered pictures",
          "A PNG for every frame, for slides or a film made elsewhere.",
          "",
-         {.draws = true, .frames = true, .size = true, .clear = true, .folder = true}},
-        {ExportKind::gif,
-         "gif",
+         "\xEF\x87\x85",
+         "pictures",
+         {.draws = true, .frames = true, .size = true, .clear = true, .folder = true},
+         estimate_frames,
+         nullptr},
+        {"gif",
          "GIF",
          "A film that repeats for ever and opens anywhere: browsers, slides, mail. 255 colours.",
          ".gif",
-         {.draws = true, .frames = true, .speed = true, .size = true}},
-        {ExportKind::video,
-         "video",
+         "\xEF\x80\x88",
+         "",
+         {.draws = true, .frames = true, .speed = true, .size = true},
+         estimate_gif,
+         nullptr},
+        {"video",
          "Video (mp4)",
          "A film as H.264: small, with all colours. Made by ffmpeg where it is installed.",
          ".mp4",
-         {.draws = true, .frames = true, .speed = true, .size = true}},
-        {ExportKind::meshes,
-         "meshes",
+         "\xEF\x80\xBD",
+         "",
+         {.draws = true, .frames = true, .speed = true, .size = true},
+         estimate_video,
+         nullptr,
+         nullptr,
+         reason_against_video},
+        {"meshes",
          "Meshes (VTP series)",
          "Muscles and bones of every frame with attachment, depth and edge extension per point, for "
          "ParaView.",
          "",
-         {.frames = true, .folder = true}},
-        {ExportKind::mesh,
-         "mesh",
+         "\xEF\x86\xB3",
+         "meshes",
+         {.frames = true, .folder = true},
+         estimate_meshes,
+         write_meshes},
+        {"mesh",
          "Mesh (OBJ)",
          "Muscles and bones as they lie in the shown frame, one group each, for Blender and others.",
          ".obj",
-         {}},
-        {ExportKind::fibres,
-         "fibres",
+         "\xEF\x86\xB2",
+         nullptr,
+         {.one = true},
+         estimate_mesh,
+         write_mesh},
+        {"fibres",
          "Fibres",
          "Fibres of every frame as polylines for ParaView, and lengths, strains and moment arms as a table.",
          "",
-         {.frames = true, .folder = true}},
-        {ExportKind::metrics,
-         "metrics",
+         "\xEF\x83\x89",
+         "fibre_series",
+         {.frames = true, .folder = true},
+         estimate_fibres,
+         write_fibres,
+         reason_against_fibres},
+        {"glb",
+         "glTF (glb)",
+         "Muscles and fibres with a shape for every n-th frame, bones that move, in metres: one file for "
+         "Blender, browsers "
+         "and slides.",
+         ".glb",
+         "\xEF\x87\xA0",
+         "",
+         {.frames = true, .morphs = true, .up = true},
+         estimate_glb,
+         write_animation},
+        {"usda",
+         "USD (usda)",
+         "Every frame as a time sample: for Omniverse, Houdini, Maya and usdview. A text, and large.",
+         ".usda",
+         "\xEF\x84\xA6",
+         "",
+         {.frames = true, .up = true},
+         estimate_usda,
+         write_animation},
+        {"obj",
+         "OBJ sequence",
+         "An OBJ of every frame with an object for every body, in the scene's unit.",
+         "",
+         "\xEF\x83\x85",
+         "obj",
+         {.frames = true, .folder = true, .up = true},
+         estimate_obj,
+         write_animation},
+        {"pc2",
+         "Point cache (PC2)",
+         "An OBJ of every body, and its moving points beside it, for Blender's Mesh Cache and for Maya.",
+         "",
+         "\xEF\x82\xA0",
+         "pc2",
+         {.frames = true, .folder = true, .up = true},
+         estimate_cache,
+         write_animation},
+        {"mdd",
+         "Point cache (MDD)",
+         "The same as PC2 in the form that LightWave and Houdini read.",
+         "",
+         "\xEF\x82\xA0",
+         "mdd",
+         {.frames = true, .folder = true, .up = true},
+         estimate_cache,
+         write_animation},
+        {"metrics",
          "Numbers (CSV)",
          "Every measured quantity, a row per frame and muscle. What was run is in a .json beside it.",
          ".csv",
-         {}},
-        {ExportKind::run,
-         "run",
+         "\xEF\x83\x8E",
+         nullptr,
+         {},
+         estimate_metrics,
+         write_metrics},
+        {"json",
+         "Numbers (JSON)",
+         "Every measured quantity of muscles and fibres, and what was run, in one document.",
+         ".json",
+         "\xEF\x87\x89",
+         "metrics.json",
+         {},
+         estimate_json,
+         write_metrics_json},
+        {"run",
          "Whole run",
          "What \"fascicle simulate --export vtp\" leaves: tables, meshes, summary. Can be opened and "
          "compared again.",
          "",
-         {.folder = true}},
-        {ExportKind::report,
-         "report",
+         "\xEF\x81\xBB",
+         nullptr,
+         {.folder = true},
+         estimate_run,
+         write_run_folder},
+        {"report",
          "Report (HTML)",
          "One page with pictures, plots and numbers that opens offline and prints well.",
          ".html",
-         {.draws = true}},
+         "\xEF\x83\xB6",
+         "report.html",
+         {.draws = true},
+         estimate_report,
+         nullptr},
     }};
     return rows;
 }
 
-const ExportKindRow& export_kind(ExportKind kind) {
-    return export_kinds()[static_cast<std::size_t>(kind)];
+const ExportKindRow* find_export_kind(std::string_view key) {
+    for (const ExportKindRow& row : export_kinds())
+        if (row.key == key)
+            return &row;
+    return nullptr;
 }
 
-fs::path with_extension(fs::path target, ExportKind kind) {
+const ExportKindRow& export_kind(std::string_view key) {
+    const ExportKindRow* row = find_export_kind(key);
+    FASCICLE_ASSERT(row != nullptr);
+    return *row;
+}
+
+fs::path with_extension(fs::path target, std::string_view kind) {
     const std::string wanted = export_kind(kind).extension;
     std::string has = target.extension().string();
     std::transform(has.begin(), has.end(), has.begin(),
@@ -101,9 +204,9 @@ fs::path free_name(const fs::path& target) {
     return target;
 }
 
-int allowed_side(int pixels, ExportKind kind) {
-    pixels = std::clamp(pixels, 16, kind == ExportKind::video || kind == ExportKind::gif ? 8192 : 16384);
-    return kind == ExportKind::video ? pixels / 2 * 2 : pixels;
+int allowed_side(int pixels, std::string_view kind) {
+    pixels = std::clamp(pixels, 16, kind == "video" || kind == "gif" ? 8192 : 16384);
+    return kind == "video" ? pixels / 2 * 2 : pixels;
 }
 
 } // namespace fascicle::output

@@ -97,19 +97,14 @@ std::unique_ptr<Film> make_film(const ExportRequest& request, ScenePtr scene,
                                 const std::atomic<bool>* cancel) {
     if (!export_kind(request.kind).traits.folder)
         check_no_input(request.target, *scene);
-    switch (request.kind) {
-    case ExportKind::picture:
+    if (request.kind == "picture")
         return std::make_unique<OnePicture>(request.target);
-    case ExportKind::pictures:
+    if (request.kind == "frames")
         return std::make_unique<NumberedPictures>(request.target, std::move(scene));
-    case ExportKind::gif:
+    if (request.kind == "gif")
         return std::make_unique<GifFilm>(request);
-    case ExportKind::video:
-        return std::make_unique<VideoFilm>(request, cancel);
-    default:
-        FASCICLE_ASSERT(false);
-        return nullptr;
-    }
+    FASCICLE_ASSERT(request.kind == "video");
+    return std::make_unique<VideoFilm>(request, cancel);
 }
 
 } // namespace fascicle::output

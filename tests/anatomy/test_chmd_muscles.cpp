@@ -115,7 +115,7 @@ TEST_CASE("CHMD: every fibre of a two-headed muscle belongs to one head", "[anat
     }
 }
 
-TEST_CASE("CHMD: gluteus maximus from its five superficial fibres", "[anatomy][chmd][data]") {
+TEST_CASE("CHMD: gluteus maximus from its five superficial fibres", "[anatomy][chmd][data][slow]") {
     FASCICLE_NEED_DATA(data);
     SceneRequest request;
     request.muscles = {data / "lhdl/gluteus_maximus.vtk", data / "lhdl/iliacus.vtk"};

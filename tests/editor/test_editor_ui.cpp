@@ -66,7 +66,7 @@ TEST_CASE("Dragging a slider changes the parameter with one undo step and one ne
     CHECK(value(d) == Approx(0.3).margin(0.05));
 }
 
-TEST_CASE("Every slider works from end to end of its range", "[editor][ui]") {
+TEST_CASE("Every slider works from end to end of its range", "[editor][ui][slow]") {
     Driver d(test::small_scene(), 1280, 1500); // all rows in sight
     d.frame(3);
     d.click("parameter/fibres.method"); // so that rows about fibres are live

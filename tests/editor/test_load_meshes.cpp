@@ -3,6 +3,7 @@
 #include "editor/driver.hpp"
 #include "fascicle/geometry/volume.hpp"
 #include "fascicle/io/files.hpp"
+#include "fascicle/io/format_registry.hpp"
 #include "fascicle/io/mesh_file.hpp"
 #include "render/osmesa_context.hpp"
 #include "support/data_dir.hpp"
@@ -89,6 +90,35 @@ TEST_CASE("Many dropped meshes become bones and muscles in one step", "[editor][
     d.key(key_z, {.ctrl = true});
     CHECK(d.document().scene().bones.size() == 2);
     CHECK(d.document().scene().muscles.size() == 1);
+}
+
+TEST_CASE("Meshes of every format can be chosen in the dialog, and dropped under any name",
+          "[editor][ui][load]") {
+    const test::TempDir folder;
+    Driver d;
+    d.frame(3);
+    std::vector<fs::path> lying;
+    for (const MeshFormat& format : mesh_formats()) {
+        const std::string& extension = format.extensions[0];
+        const fs::path file = write(folder.path() / ("bone" + extension), test::box(9, 9, 9));
+        lying.push_back(folder.path() / ("bone_" + extension.substr(1) + ".dat"));
+        fs::copy_file(file, lying.back());
+    }
+    write_file(folder.path() / "bone.txt", "no mesh");
+    drop(d, lying);
+    for (const MeshEntry& entry : d.editor().dialogs().mesh.batch().entries()) {
+        INFO(entry.path << ": " << entry.problem);
+        REQUIRE(entry.read != nullptr);
+        CHECK(entry.read->surface.mesh->triangle_count() == 12);
+    }
+    d.click("browser/path");
+    d.key(key_a, {.ctrl = true});
+    d.type(folder.path().string());
+    d.key(key_enter);
+    d.frame(3);
+    for (const MeshFormat& format : mesh_formats())
+        CHECK(d.has("browser/bone" + format.extensions[0]));
+    CHECK_FALSE(d.has("browser/bone.txt"));
 }
 
 TEST_CASE("A file can be left out of the list, and a broken one does not stop the others",

@@ -125,12 +125,13 @@ TEST_CASE("VTP: mistakes name the line", "[io][vtp]") {
     fails(cells("0 1 2", "-1"), "offset -1");
     fails(cells("0 1 2", "2"), "cell 0 has 2 points");
     fails(cells("0 1 2", "3 3"), "2 offsets for 1 cells");
-    fails(file(three, "<Points>" + array("p", "0", "Float32", "appended") + "</Points>"), "appended");
+    fails(file(three, "<Points>" + array("p", "0", "Float32", "appended") + "</Points>"), "offset is ''");
     fails(file(three, "<Points>" + array("p", "????", "Float32", "binary") + "</Points>"), "base64");
     fails(file(three, "<Points>" + array("p", "/////w==", "Float32", "binary") + "</Points>"), "4294967295");
     fails(file(three, "<Points>" + array("p", "AAAA", "Float32", "binary") + "</Points>",
                " compressor=\"vtkZLibDataCompressor\""),
-          "compressed");
+          "binary data end too early");
+    fails(file(three, points + triangle + "<!DOCTYPE a [<!ENTITY b \"c\">]>"), "a document type");
     std::string deep;
     for (int i = 0; i < 500; ++i)
         deep += "<a>";

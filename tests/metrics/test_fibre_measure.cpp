@@ -39,7 +39,7 @@ double closed_form(double angle) {
 } // namespace
 
 TEST_CASE("cylinder scene: fibres' lengths and mean moment arm match the closed form within 1 %",
-          "[metrics][fibre_measure][cylinder]") {
+          "[metrics][fibre_measure][cylinder][slow]") {
     const auto recording = cylinder_run(60);
     const std::vector<FibreModelPtr> fibres = recording->fibres();
     REQUIRE(fibres.size() == 1);
@@ -61,7 +61,8 @@ TEST_CASE("cylinder scene: fibres' lengths and mean moment arm match the closed 
     CHECK(mean == Approx(-(closed_form(0.8) - closed_form(0)) / 0.8).epsilon(0.01));
 }
 
-TEST_CASE("frames in any order are measured alike, ascending ones are kept", "[metrics][fibre_measure]") {
+TEST_CASE("frames in any order are measured alike, ascending ones are kept",
+          "[metrics][fibre_measure][slow]") {
     const auto recording = cylinder_run(10);
     const FibreModelPtr model = recording->fibres()[0];
     FibreMeasure ordered(recording->scene(), 0, model, *recording->frame(0));

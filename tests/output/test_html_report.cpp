@@ -144,7 +144,7 @@ TEST_CASE("The export of a report draws four pictures and measures the run", "[o
     const test::TempDir folder;
     const RecordingPtr recording = test::small_recording(61);
     ExportRequest request;
-    request.kind = ExportKind::report;
+    request.kind = "report";
     request.target = folder.path() / "report.html";
     PictureLook look;
     look.camera = view::picture_camera(view::subject_of(*recording, 0), 1.5);

@@ -48,7 +48,7 @@ double distance_to_mesh(const Vec3& p, const TriMesh& mesh) {
 } // namespace
 
 // One test case, because CTest runs each in a process of its own and making the scene takes most of the time.
-TEST_CASE("the hip scene is anatomy that can move", "[scene][embedded][hip]") {
+TEST_CASE("the hip scene is anatomy that can move", "[scene][embedded][hip][slow]") {
     SECTION("the hip scene has its bones and muscles with good triangles") {
         struct Row {
             const char* name;

@@ -35,7 +35,7 @@ TEST_CASE("a frame is one part until a bone turns by 0.15 rad or moves by a tent
 }
 
 TEST_CASE("120 degrees in a single frame: the muscles stay whole and come to rest at a plausible length",
-          "[simulation][parts]") {
+          "[simulation][parts][slow]") {
     Scene scene = make_embedded_scene("hip");
     scene.parameters.set("solver.iterations", 3);
     const PreparedScene prepared = prepare_scene(scene, 2, {});

@@ -67,7 +67,7 @@ double overlap(const Scene& scene, const Frame& frame) {
 } // namespace
 
 TEST_CASE("muscle contact: two muscles pressed together stay out of each other, and part again",
-          "[simulation][contact]") {
+          "[simulation][contact][slow]") {
     const std::string kernel = GENERATE("fast", "reference");
     const Scene scene = two_balls(0.3, kernel);
     Recording recording(std::make_shared<Scene>(scene));
@@ -111,7 +111,7 @@ TEST_CASE("muscle contact: without it the two would be deep in each other", "[si
 }
 
 TEST_CASE("muscle contact: an overlap of a millimetre at rest is kept and does not explode",
-          "[simulation][contact]") {
+          "[simulation][contact][slow]") {
     Scene scene = two_balls(-1.0, "fast");
     const double at_rest = [&] {
         Frame rest;

@@ -54,7 +54,7 @@ double length_of(const Points& x, const std::vector<std::size_t>& line) {
 } // namespace
 
 TEST_CASE("cylinder scene: fibre length and moment arm match the closed form within 2 %",
-          "[simulation][cylinder]") {
+          "[simulation][cylinder][slow]") {
     // Fibres on the side that lies on the cylinder, and the strap's middle: its far side is held off the cylinder by
     // the walls along its edges only, so the middle line is that of the edges.
     const auto recording = run(make_embedded_scene("cylinder"));
@@ -197,7 +197,7 @@ TEST_CASE("a muscle that starts inside a bone is put outside and said so", "[sim
     }));
 }
 
-TEST_CASE("the same scene in metres moves alike", "[simulation]") {
+TEST_CASE("the same scene in metres moves alike", "[simulation][slow]") {
     Scene scene = make_embedded_scene("cylinder");
     scene.timeline.last_frame = 20;
     const auto in_mm = run(scene);

@@ -302,7 +302,7 @@ TEST_CASE("coarse correction: does not push a point into what it touches", "[sol
     CHECK(in_held < 0.1 * in_free);
 }
 
-TEST_CASE("coarse correction: few substeps come near to many", "[solver][coarse]") {
+TEST_CASE("coarse correction: few substeps come near to many", "[solver][coarse][slow]") {
     // A ball between two solids of which one walks off sideways, then waits.
     const TriMesh mesh = test::sphere(10, 4);
     const auto settle = [&](const std::string& settings) {

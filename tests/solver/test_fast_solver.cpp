@@ -104,7 +104,8 @@ TEST_CASE("fast solver: follows the plain one frame by frame", "[solver][fast]")
     }
 }
 
-TEST_CASE("fast solver: the same bits for any number of threads and from run to run", "[solver][fast]") {
+TEST_CASE("fast solver: the same bits for any number of threads and from run to run",
+          "[solver][fast][slow]") {
     Press press(6); // 16,386 vertices in blocks
     REQUIRE(press.problem.parameters.get_int("solver.coarse") > 0);
     std::vector<std::unique_ptr<SoftBodySolver>> solvers;

@@ -3,6 +3,8 @@
 
 #include "fascicle/geometry/tri_mesh.hpp"
 
+#include <functional>
+
 namespace fascicle {
 
 struct HoleFilling {
@@ -19,6 +21,8 @@ struct HoleFilling {
 /// boundary of a polyhedron"; the second term keeps slivers out where areas are alike). No edge that the mesh has already is
 /// used a second time, so that no edge gets more than two triangles. Holes that touch themselves or each other in a
 /// vertex stay. Orientation follows the neighbours, which must be consistent (mend()).
-HoleFilling fill_holes(const TriMesh& mesh, int max_edges = 100);
+/// wanted: asked for each ring that is short enough, as its vertices in order; empty: all are.
+HoleFilling fill_holes(const TriMesh& mesh, int max_edges = 100,
+                       const std::function<bool(const std::vector<int>& ring)>& wanted = {});
 
 } // namespace fascicle

@@ -22,6 +22,9 @@ public:
     std::optional<std::string> find(const std::string& key) override;
     void keep(const std::string& key, std::string_view bytes) override;
 
+    /// What the file of a key holds; nothing when `file_bytes` are not of this key, or not whole.
+    static std::optional<std::string_view> content(const std::string& key, std::string_view file_bytes);
+
     const std::filesystem::path& folder() const { return folder_; }
     /// The file of a key, there or not.
     std::filesystem::path file_of(const std::string& key) const;

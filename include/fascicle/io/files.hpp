@@ -2,14 +2,42 @@
 // Whole files in, whole files out. A file under its final name is always complete.
 
 #include <filesystem>
-#include <fstream>
+#include <ostream>
+#include <streambuf>
 #include <string>
+#include <vector>
 
 namespace fascicle {
 
 /// Reads a whole file. Error naming the file and the system's reason when it cannot be read, is a folder, or
-/// is larger than `max_bytes`.
+/// is larger than `max_bytes`. Pipes, devices and sockets are refused at once: they could wait or go on for ever.
 std::string read_file(const std::filesystem::path& path, std::size_t max_bytes = std::size_t{4} << 30);
+
+/// The first `bytes` of a file, fewer where it ends; empty when it cannot be read or is no regular file.
+std::string read_head(const std::filesystem::path& path, std::size_t bytes);
+
+/// Error when a file of this name could not be put in place for what is there now: a folder, or a pipe, device or socket, which a
+/// file would replace. For commands to ask before they work.
+void check_output_name(const std::filesystem::path& path);
+
+/// Hidden folders that files are written into before they get their final names begin with this (staged_files.hpp).
+inline constexpr const char* hidden_folder = ".fascicle-part-";
+/// A path as a user knows it: without such folders.
+std::string shown_path(const std::filesystem::path& path);
+
+/// Makes the missing folders of a path; those that are still empty when this goes, unless kept, are removed again.
+class MadeFolders {
+public:
+    /// Error naming the folder and the system's reason.
+    explicit MadeFolders(std::filesystem::path folder);
+    ~MadeFolders();
+    MadeFolders(const MadeFolders&) = delete;
+    MadeFolders& operator=(const MadeFolders&) = delete;
+    void keep() { made_.clear(); }
+
+private:
+    std::filesystem::path folder_, made_; ///< made_: the highest one that was not there before, empty: none
+};
 
 /// Writes to a temporary file in the same folder; commit() flushes, checks and renames it to `path`.
 /// Without commit() the destructor removes it: no half-written file is left under a final name.
@@ -32,17 +60,26 @@ public:
 
 private:
     /// Remembers the system's reason of the first write that failed: by the time of commit() errno is another's.
-    class Buffer : public std::filebuf {
+    class Buffer : public std::streambuf {
     public:
+        Buffer();
+        ~Buffer() override { close(); }
+        int file = -1;
         int reason = 0;
+        void close();
 
     protected:
         int_type overflow(int_type c) override;
         std::streamsize xsputn(const char* data, std::streamsize size) override;
         int sync() override;
+
+    private:
+        bool put(const char* data, std::size_t size);
+        std::vector<char> block_;
     };
 
     std::filesystem::path path_;
+    MadeFolders folders_;
     std::filesystem::path temporary_;
     Buffer buffer_;
     std::ostream stream_{&buffer_};

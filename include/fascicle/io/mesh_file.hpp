@@ -2,7 +2,7 @@
 // Mesh files in and out, whatever their format.
 
 #include "fascicle/geometry/mesh_check.hpp"
-#include "fascicle/io/mesh_data.hpp"
+#include "fascicle/io/format_registry.hpp"
 
 #include <filesystem>
 #include <string_view>
@@ -26,6 +26,11 @@ MeshFile read_mesh_file(const std::filesystem::path& path);
 
 /// The same for bytes in memory; `name` stands for the file in messages, its extension counts.
 MeshFile read_mesh_bytes(std::string_view bytes, const std::string& name);
+/// The same in a format that the caller knows.
+MeshFile read_mesh_bytes(std::string_view bytes, const std::string& name, const MeshFormat& format);
+
+/// What a file holds, with all its defects. Error as read_mesh_file, but that of a file without points.
+MeshData read_mesh_data(const std::filesystem::path& path);
 
 /// Writes in the format of the extension; the file is complete or not there. Error when it cannot be written.
 void write_mesh_file(const std::filesystem::path& path, const MeshData& data);

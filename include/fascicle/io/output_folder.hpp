@@ -4,11 +4,19 @@
 #include "fascicle/scene/scene.hpp"
 
 #include <filesystem>
+#include <vector>
 
 namespace fascicle {
 
-/// The folder, once it is clear that no file that `simulate` or `fibres` leaves there would replace an input of the scene; else Error
-/// (usage) naming the input.
-const std::filesystem::path& without_inputs(const std::filesystem::path& folder, const Scene& scene);
+/// Error unless the names of all bones and muscles call files of their own (file_name_for).
+void require_file_names(const Scene& scene);
+
+/// The folder, once it is clear that no file that `simulate` or `fibres` leaves there would replace an input of the scene, and their names
+/// are as require_file_names wants them; else Error (usage) naming the input.
+const std::filesystem::path& without_inputs(const std::filesystem::path& folder, const Scene& scene,
+                                            const std::vector<std::filesystem::path>& more_inputs = {});
+
+/// Error (usage) naming the input when one of the files is an input of the scene.
+void refuse_inputs(const std::vector<std::filesystem::path>& files, const Scene& scene);
 
 } // namespace fascicle

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fascicle {
@@ -24,5 +25,7 @@ std::string encode_png(int width, int height, const std::uint8_t* rgba);
 /// Reads any PNG as RGBA (missing alpha becomes 255, 16 bits become 8). Error naming the file when it is not
 /// a PNG, is damaged, or claims more pixels than its size in bytes can hold.
 PngImage read_png(const std::filesystem::path& path);
+/// The same from bytes in memory; `name` stands for the file in messages.
+PngImage decode_png(std::string_view bytes, const std::string& name);
 
 } // namespace fascicle

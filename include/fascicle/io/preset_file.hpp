@@ -28,6 +28,8 @@ Preset parse_preset(std::string_view bytes, const std::string& file);
 Preset read_preset(const std::filesystem::path& path);
 /// Written whole or not at all. Error naming the file.
 void write_preset(const std::filesystem::path& path, const Preset& preset);
+/// What would be written.
+std::string preset_text(const Preset& preset);
 
 /// Those of resources/presets: paper, soft, stiff, isotropic. They are part of the program.
 const std::vector<Preset>& built_in_presets();

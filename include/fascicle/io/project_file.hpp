@@ -27,6 +27,9 @@ bool carries_meshes(const std::string& text);
 using LocatedFiles = std::map<std::filesystem::path, std::filesystem::path>;
 Project read_project_file(const std::filesystem::path& path, int threads, const JobControl& control,
                           const LocatedFiles& located);
+/// The same from the text of the project at `path`, which is not read.
+Project read_project_text(std::string text, const std::filesystem::path& path, int threads = 1,
+                          const JobControl& control = {}, const LocatedFiles& located = {});
 
 /// A file that a project needs and that is not where it says.
 struct MissingFile {

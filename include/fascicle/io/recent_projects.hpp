@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fascicle {
@@ -22,6 +23,8 @@ inline constexpr std::size_t recent_projects_kept = 12;
 
 /// The latest first; files that are not there any more are listed too. A damaged list is an empty one.
 std::vector<RecentProject> read_recent_projects(const std::filesystem::path& user_folder);
+/// The same from the text of a recent.json. Error naming `file` and the field when it is damaged.
+std::vector<RecentProject> parse_recent_projects(std::string_view text, const std::string& file);
 /// Puts it in front (or moves it there). A picture replaces the one that there was. Error when it cannot be written.
 void add_recent_project(const std::filesystem::path& user_folder, const RecentProject& project,
                         const std::optional<PngImage>& picture = {});

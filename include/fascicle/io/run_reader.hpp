@@ -5,11 +5,19 @@
 #include "fascicle/scene/recording.hpp"
 
 #include <filesystem>
+#include <functional>
 
 namespace fascicle {
 
 /// Whether the path is a folder with a summary.json in it.
 bool is_run_folder(const std::filesystem::path& path);
+
+/// Where the files of a run come from. Paths begin with the folder.
+struct RunFiles {
+    std::function<std::string(const std::filesystem::path&)> read; ///< Error when there is none
+    std::function<bool(const std::filesystem::path&)> exists;
+    static RunFiles on_disk();
+};
 
 /// The scene comes from the folder alone: muscles from their rest frames, bones from bones/, attachments from the frames'
 /// arrays, angles, poses and times of solving from the tables, notes from the summary. Its timeline has the angles and moves no bone, and its
@@ -17,7 +25,7 @@ bool is_run_folder(const std::filesystem::path& path);
 class RunReader {
 public:
     /// Reads everything but the frames' positions. Error naming the file for what is missing or bad.
-    explicit RunReader(std::filesystem::path folder);
+    explicit RunReader(std::filesystem::path folder, RunFiles files = RunFiles::on_disk());
 
     ScenePtr scene() const { return scene_; }
     /// Attachments in force, one list per muscle.
@@ -38,6 +46,7 @@ private:
     void read_rest();
 
     std::filesystem::path folder_;
+    RunFiles files_;
     ScenePtr scene_;
     std::vector<std::vector<Attachment>> attachments_;
     std::vector<FibreModelPtr> fibres_;

@@ -6,6 +6,7 @@
 #include "fascicle/scene/recording.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 namespace fascicle {
@@ -19,12 +20,12 @@ struct RunOutputOptions {
     int threads = 1; ///< that the run uses, for the summary
 };
 
-/// Writes frames as they come and tables as they are finished. A file under its final name is always complete: frames
-/// at once, metrics.csv, motion.csv, the .pvd series and summary.json by finish(). Without finish() only whole frames
-/// are left. Errors name the file that could not be written; an input file of the scene is never overwritten.
+/// Writes a run into a hidden folder beside the final files, and gives all of them their names at once in finish(), so that the folder
+/// holds one complete run at any time: this one or the one before. Without finish() nothing is left. The folder is locked meanwhile
+/// (StagedFiles). Errors name the file that could not be written; an input file of the scene is never overwritten.
 class RunWriter {
 public:
-    /// Makes the folder. Error when that fails, or when an output file would be an input of the scene.
+    /// Makes the folder. Error when that fails, another program writes to it, or an output file would be an input of the scene.
     RunWriter(std::filesystem::path folder, ScenePtr scene, RunOutputOptions options);
     ~RunWriter();
     RunWriter(const RunWriter&) = delete;
@@ -39,11 +40,13 @@ public:
     void add_frame(FramePtr frame, const std::vector<std::vector<double>>& metrics,
                    std::vector<std::vector<NamedArray>> point_arrays = {});
 
-    /// Gives the tables their names and writes series and summary. The recording may have ended early: what is done
+    /// Writes tables, series and summary, and gives everything its name. The recording may have ended early: what is done
     /// counts. series: of the muscles that have fibres, by muscle, null for the others (or empty), with the frames added: fibres.csv, the
     /// columns of metrics.csv that the whole run decides, and, with vtp, fibres/<muscle>.<frame>.vtp. Without any series the columns of
-    /// fibres are left out.
-    void finish(const Recording& recording, const std::vector<const FibreSeries*>& series = {});
+    /// fibres are left out. more: writes further files, into the folder that it is given; when it fails the run is kept without
+    /// them, and its error is the last word.
+    void finish(const Recording& recording, const std::vector<const FibreSeries*>& series = {},
+                const std::function<void(const std::filesystem::path&)>& more = {});
 
 private:
     struct Impl;

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -12,5 +13,9 @@ namespace fascicle {
 /// cannot be written.
 void write_series_file(const std::filesystem::path& path,
                        const std::vector<std::pair<double, std::string>>& series);
+
+/// The steps of a series file, in its order; parts, groups and names are passed over. Nothing is opened. Error naming file and line.
+std::vector<std::pair<double, std::string>> parse_series(std::string_view bytes, const std::string& file);
+bool looks_like_series(std::string_view bytes);
 
 } // namespace fascicle

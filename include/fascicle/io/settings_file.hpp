@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -15,6 +16,8 @@ using Settings = std::map<std::string, SettingValue>;
 /// The values of a file; those of other kinds (lists, objects, null) are passed over. Error when it cannot be read, is larger
 /// than 1 MB or no JSON object.
 Settings read_settings(const std::filesystem::path& path);
+/// The same from text in memory; `file` is the name in messages.
+Settings parse_settings(std::string_view text, const std::string& file);
 /// Puts the values into the file (AtomicFile); what else it has stays, as long as it is a JSON object. Error as write_file().
 void write_settings(const std::filesystem::path& path, const Settings& settings);
 
@@ -22,5 +25,7 @@ void write_settings(const std::filesystem::path& path, const Settings& settings)
 /// `bad`. Error as read_settings().
 std::map<std::string, std::vector<std::string>> read_text_lists(const std::filesystem::path& path,
                                                                 std::vector<std::string>& bad);
+std::map<std::string, std::vector<std::string>>
+parse_text_lists(std::string_view text, const std::string& file, std::vector<std::string>& bad);
 
 } // namespace fascicle

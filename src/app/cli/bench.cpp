@@ -64,6 +64,7 @@ bench::BenchOptions complete(const BenchCommand& command) {
 
 int run(const BenchCommand& command) {
     const bench::BenchOptions options = complete(command);
+    check_output_name(command.json); // before minutes are spent
     ProgressDisplay progress = ProgressDisplay::for_user(command.quiet);
     JobControl control;
     control.cancel = &watch_interrupts();

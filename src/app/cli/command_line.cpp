@@ -1,10 +1,12 @@
 #include "app/cli/command_line.hpp"
 
 #include "app/cli/command.hpp"
+#include "app/cli/standard_streams.hpp"
 #include "fascicle/base/build_info.hpp"
 #include "fascicle/base/error.hpp"
 #include "fascicle/base/interrupt.hpp"
 #include "fascicle/base/suggest.hpp"
+#include "fascicle/base/text.hpp"
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -25,10 +27,13 @@ struct Added {
     std::function<int()> run;
 };
 
-std::vector<Added> add_commands(CLI::App& app) {
+/// All commands, for the list in the help; options only for the one that is asked for.
+std::vector<Added> add_commands(CLI::App& app, std::string_view asked_for) {
     std::vector<Added> added;
     for (const Command& command : commands()) {
         CLI::App* sub = app.add_subcommand(command.name, command.line);
+        if (command.name != asked_for)
+            continue;
         sub->allow_extras(); // what is left over is reported by check_leftovers, with a suggestion
         sub->footer(std::string("Examples:\n") + command.examples);
         added.push_back({sub, command.add(*sub)});
@@ -46,12 +51,18 @@ std::vector<std::string> option_names(const CLI::App& app) {
 
 /// Error (usage) for the first argument that is no option or operand of the command.
 void check_leftovers(const CLI::App& app, const std::string& command) {
-    const std::vector<std::string> left = app.remaining();
+    std::vector<std::string> left = app.remaining();
+    // "--": what follows is no option, whatever it begins with.
+    const auto end_of_options = std::find(left.begin(), left.end(), "--");
+    const auto options_left = end_of_options - left.begin();
+    if (end_of_options != left.end())
+        left.erase(end_of_options);
     if (left.empty())
         return;
-    const auto option = std::find_if(
-        left.begin(), left.end(), [](const std::string& word) { return word.size() > 1 && word[0] == '-'; });
-    if (option == left.end())
+    const auto option = std::find_if(left.begin(), left.begin() + options_left, [](const std::string& word) {
+        return word.size() > 1 && word[0] == '-';
+    });
+    if (option == left.begin() + options_left)
         throw_error(command, "unexpected argument '" + left.front() + "'", "only options here",
                     ErrorKind::usage);
     const std::string word = option->substr(0, option->find('='));
@@ -80,46 +91,51 @@ void check_command(int argc, char** argv) {
                     ErrorKind::usage);
 }
 
-int parse_and_run(int argc, char** argv) {
-    CLI::App app("Deforms skeletal muscles with position-based dynamics.", "fascicle");
-    app.get_formatter()->column_width(32);
-    app.set_version_flag("--version", std::string("fascicle ") + program_version(),
-                         "Print the version and exit");
-    app.footer(closing);
-    const std::vector<Added> added = add_commands(app);
+int complain(const std::string& message, int code) {
+    std::cout.flush();
+    std::cerr << "fascicle: " << one_line(message) << std::endl;
+    return code;
+}
+
+} // namespace
+
+std::function<int()> parse_command_line(int argc, char** argv) {
+    const auto app =
+        std::make_shared<CLI::App>("Deforms skeletal muscles with position-based dynamics.", "fascicle");
+    app->get_formatter()->column_width(32);
+    app->set_version_flag("--version", std::string("fascicle ") + program_version(),
+                          "Print the version and exit");
+    app->footer(closing);
+    app->require_subcommand(0, 1); // the name of another one is an operand
+    const std::vector<Added> added = add_commands(*app, argc > 1 ? argv[1] : "");
     check_command(argc, argv);
     try {
-        app.parse(argc, argv);
+        app->parse(argc, argv);
     } catch (const CLI::Success& asked) { // --help, --version
-        return app.exit(asked);
+        return [app, asked] { return app->exit(asked); };
     } catch (const CLI::ParseError& error) {
         throw_error(argv[1], error.what(), {}, ErrorKind::usage);
     }
     for (const Added& command : added)
         if (command.app->parsed()) {
             check_leftovers(*command.app, command.app->get_name());
-            return command.run();
+            return command.run;
         }
-    return 0;
+    return [] { return 0; };
 }
-
-int complain(const std::string& message, int code) {
-    std::cout.flush();
-    std::cerr << "fascicle: " << message << std::endl;
-    return code;
-}
-
-} // namespace
 
 int run_command_line(int argc, char** argv) {
     try {
+        secure_standard_streams();
         report_file_size_limit();
-        const int code = parse_and_run(argc, argv);
-        if (!std::cout.flush())
+        const int code = parse_command_line(argc, argv)();
+        if (!flush_standard_output())
             throw_error("standard output", "cannot write");
         return code;
     } catch (const Error& error) {
         return complain(error.what(), static_cast<int>(error.kind()));
+    } catch (const Cancelled&) {
+        return complain("cancelled; nothing was written", 1);
     } catch (const std::bad_alloc&) {
         return complain("not enough memory", 1);
     } catch (const std::exception& error) {

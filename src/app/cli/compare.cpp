@@ -6,9 +6,11 @@
 #include "app/cli/run_scene.hpp"
 #include "fascicle/base/interrupt.hpp"
 #include "fascicle/base/parallel.hpp"
+#include "fascicle/base/text.hpp"
 #include "fascicle/io/csv.hpp"
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/run_reader.hpp"
+#include "fascicle/io/staged_files.hpp"
 #include "fascicle/metrics/run_difference.hpp"
 
 #include <cmath>
@@ -114,7 +116,7 @@ void write_summary(const fs::path& path, const CompareOptions& options, const Co
                                    {"max_vertex", all.max_vertex}});
     }
     json["left_out"] = compared.match.left_out;
-    write_file(path, json.dump(2) + "\n");
+    write_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 void print(const Comparison& compared) {
@@ -122,12 +124,14 @@ void print(const Comparison& compared) {
     for (const MatchedMuscle& muscle : compared.match.muscles)
         width = std::max(width, muscle.name.size());
     for (const std::string& text : compared.match.left_out)
-        std::cout << "note: left out: " << text << '\n';
+        std::cout << "note: left out: " << one_line(text) << '\n';
     if (compared.parameters.empty())
         std::cout << "all parameters are the same\n";
     for (const ParamDifference& row : compared.parameters)
         std::cout << row.row->key << ": " << row.a << " in A, " << row.b << " in B\n";
-    const auto padded = [&](const std::string& text) { return text + std::string(width - text.size(), ' '); };
+    const auto padded = [&](const std::string& text) {
+        return one_line(text) + std::string(width - text.size(), ' ');
+    };
     std::cout << compared.frames.size() << " common frames\n"
               << padded("muscle") << "    rms mm    max mm  at frame\n"
               << std::fixed << std::setprecision(4);
@@ -167,12 +171,13 @@ int compare(const CompareOptions& options) {
     compared.rows_a = measure_run(*compared.a, threads, control);
     compared.rows_b = measure_run(*compared.b, threads, control);
     progress.finish();
-    const fs::path out = options.out;
-    write_table(out / "difference.csv", compared);
-    write_summary(out / "comparison.json", options, compared);
+    StagedFiles staged(options.out);
+    write_table(staged.place() / "difference.csv", compared);
+    write_summary(staged.place() / "comparison.json", options, compared);
+    staged.commit(std::set<fs::path>{});
     if (!options.quiet) {
         print(compared);
-        std::cout << "written to " << options.out << '\n';
+        std::cout << "written to " << one_line(options.out) << '\n';
     }
     return 0;
 }

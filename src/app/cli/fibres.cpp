@@ -6,6 +6,7 @@
 #include "app/cli/source_options.hpp"
 #include "fascicle/anatomy/fibre_architecture.hpp"
 #include "fascicle/base/interrupt.hpp"
+#include "fascicle/base/text.hpp"
 #include "fascicle/geometry/volume.hpp"
 #include "fascicle/io/csv.hpp"
 #include "fascicle/io/disk_cache.hpp"
@@ -13,6 +14,7 @@
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/mesh_file.hpp"
 #include "fascicle/io/output_folder.hpp"
+#include "fascicle/io/staged_files.hpp"
 #include "fascicle/simulation/prepare.hpp"
 
 #include <algorithm>
@@ -99,7 +101,9 @@ void print_table(const std::string& method, const std::vector<Row>& rows) {
     std::size_t width = std::string("muscle").size();
     for (const Row& row : rows)
         width = std::max(width, row.muscle.size());
-    const auto name = [&](const std::string& text) { return text + std::string(width - text.size(), ' '); };
+    const auto name = [&](const std::string& text) {
+        return one_line(text) + std::string(width - text.size(), ' ');
+    };
     std::cout << "method " << method << '\n'
               << name("muscle")
               << "  fibres  segments  length mm (sd)  pennation deg   PCSA cm2  cover %  seconds\n"
@@ -122,7 +126,9 @@ int fibres(const FibresOptions& options) {
     LoadedScene loaded = load(options.source, options.solve);
     Scene& scene = loaded.scene;
     choose_method(scene);
-    const fs::path out = without_inputs(options.out, scene);
+    without_inputs(options.out, scene, input_files(options.source, options.solve));
+    StagedFiles staged(options.out);
+    const fs::path out = staged.place();
     const std::string method = scene.parameters.get_choice("fibres.method");
     const int threads = thread_count(options.solve);
     ProgressDisplay progress = ProgressDisplay::for_user(options.quiet);
@@ -149,12 +155,13 @@ int fibres(const FibresOptions& options) {
     }
     write_fibre_table(out / "fibres.csv", pointers);
     write_table(out / "architecture.csv", method, rows);
+    staged.commit(scene);
     if (!options.quiet) {
         for (const std::vector<std::string>& notes : {loaded.notes, prepared.notes})
             for (const std::string& note : notes)
-                std::cout << "note: " << note << '\n';
+                std::cout << "note: " << one_line(note) << '\n';
         print_table(method, rows);
-        std::cout << "written to " << options.out << '\n';
+        std::cout << "written to " << one_line(options.out) << '\n';
     }
     return 0;
 }

@@ -2,12 +2,17 @@
 
 #include "app/cli/command.hpp"
 #include "fascicle/base/error.hpp"
+#include "fascicle/base/param_table.hpp"
+#include "fascicle/base/text.hpp"
 #include "fascicle/geometry/bounding_box.hpp"
 #include "fascicle/geometry/volume.hpp"
+#include "fascicle/io/files.hpp"
+#include "fascicle/io/format_registry.hpp"
 #include "fascicle/io/load_scene.hpp"
 #include "fascicle/io/mesh_file.hpp"
 #include "fascicle/io/mesh_hints.hpp"
 #include "fascicle/io/osim_request.hpp"
+#include "fascicle/io/series_file.hpp"
 #include "fascicle/io/unit_guess.hpp"
 
 #include <CLI/CLI.hpp>
@@ -29,7 +34,7 @@ std::string text(const Vec3& p) {
 }
 
 void print(const char* label, const std::string& value) {
-    std::cout << "  " << std::left << std::setw(14) << label << value << '\n';
+    std::cout << "  " << std::left << std::setw(14) << label << one_line(value) << '\n';
 }
 
 void print_surface(const MeshFile& file, const std::string& unit) {
@@ -44,14 +49,32 @@ void print_surface(const MeshFile& file, const std::string& unit) {
                                     : "none, the surface is open");
 }
 
-/// What the header says of unit and axes: told, never acted on.
-void print_hints(const std::string& path) {
-    const MeshHints hints = read_mesh_hints(path);
+std::string names_of(const std::vector<NamedArray>& arrays) {
+    std::string text;
+    for (const NamedArray& array : arrays)
+        text += (text.empty() ? "" : ", ") + array.name +
+                (array.components > 1 ? " (" + std::to_string(array.components) + ")" : "");
+    return text;
+}
+
+/// What the header of the file says about itself; nothing acts on it.
+void print_hints(const MeshHints& hints) {
     if (hints.millimetres)
-        print("header", "1 unit = " + text(*hints.millimetres) + " mm");
+        print("file's unit", "1 unit = " + number_text(*hints.millimetres) + " mm");
     if (hints.space)
-        print("axes", *hints.space == MeshSpace::ras ? "RAS (the header says so): x right, y anterior"
-                                                     : "LPS (the header says so)");
+        print("file's frame", *hints.space == MeshSpace::ras ? "RAS (+x right, +y anterior, +z superior)"
+                                                             : "LPS (+x left, +y posterior, +z superior)");
+}
+
+void print_series(const std::string& path, const std::string& bytes) {
+    const auto series = parse_series(bytes, path);
+    std::cout << path << '\n';
+    print("format", "ParaView series");
+    print("steps", std::to_string(series.size()));
+    if (!series.empty()) {
+        print("time", text(series.front().first) + " to " + text(series.back().first) + " s");
+        print("files", series.front().second + " to " + series.back().second);
+    }
 }
 
 /// What of an OpenSim model a scene can be made of.
@@ -76,22 +99,34 @@ void print_model(const std::string& path) {
 void print_file(const std::string& path) {
     if (std::filesystem::path(path).extension() == ".osim")
         return print_model(path);
-    const MeshFile file = read_mesh_file(path);
+    const std::string bytes = read_file(path);
+    if (looks_like_series(bytes))
+        return print_series(path, bytes);
+    const MeshFile file = read_mesh_bytes(bytes, path);
     BoundingBox box = bounding_box(file.mesh.positions, file.mesh.triangles);
+    const bool points_alone = file.mesh.triangles.empty();
+    for (const Vec3& p : points_alone ? file.mesh.positions : Points())
+        box.add(p);
     for (const Vec3& p : file.lines.points)
         box.add(p);
-    std::cout << path << '\n';
+    std::cout << one_line(path) << '\n';
     print("format", file.format);
     const UnitGuess guess = guess_length_unit(box.diagonal());
     const std::string unit = to_text(guess.unit);
     if (!box.empty())
         print("unit",
               unit + " (guessed from the size" + (guess.sure ? ")" : ", which fits neither m nor mm)"));
-    print_hints(path);
+    print_hints(find_mesh_hints(bytes));
     if (!file.mesh.triangles.empty())
         print_surface(file, unit);
+    if (points_alone && !file.mesh.positions.empty())
+        print("points", std::to_string(file.mesh.vertex_count()) + ", no surface");
     if (!file.lines.lines.empty())
         print("polylines", std::to_string(file.lines.lines.size()));
+    if (!file.point_arrays.empty())
+        print("point arrays", names_of(file.point_arrays));
+    if (!file.line_arrays.empty())
+        print("line arrays", names_of(file.line_arrays));
     if (!box.empty()) {
         print("box", text(box.min) + " to " + text(box.max));
         print("size", text(box.size()) + ", diagonal " + text(box.diagonal()));
@@ -112,7 +147,8 @@ void print_file(const std::string& path) {
 
 std::function<int()> add_info(CLI::App& app) {
     const auto paths = std::make_shared<std::vector<std::string>>();
-    app.add_option("MESH", *paths, "Mesh files: OBJ, legacy VTK, VTP; OpenSim models");
+    app.add_option("MESH", *paths,
+                   "Mesh files: " + mesh_format_names() + "; a series (.pvd); OpenSim models (.osim)");
     return [paths] {
         if (paths->empty())
             throw_error("info", "no mesh", "info MESH...", ErrorKind::usage);

@@ -4,12 +4,15 @@
 #include "app/cli/lines_output.hpp"
 #include "app/cli/options.hpp"
 #include "fascicle/base/error.hpp"
+#include "fascicle/base/interrupt.hpp"
 #include "fascicle/base/parallel.hpp"
 #include "fascicle/base/suggest.hpp"
+#include "fascicle/base/text.hpp"
 #include "fascicle/geometry/bounding_box.hpp"
 #include "fascicle/io/load_scene.hpp"
 #include "fascicle/io/mesh_file.hpp"
 #include "fascicle/io/osim_file.hpp"
+#include "fascicle/io/staged_files.hpp"
 #include "fascicle/io/storage_file.hpp"
 #include "fascicle/io/unit_guess.hpp"
 
@@ -135,10 +138,13 @@ int lines(const LinesOptions& options) {
     const std::size_t muscles = model.muscles.size();
     result.rows.resize(values.size() * muscles);
     const int threads = options.threads > 0 ? options.threads : hardware_threads();
+    const std::atomic<bool>& interrupted = watch_interrupts();
     parallel_for(threads, values.size(), 1, [&](std::size_t begin, std::size_t end) {
         LinePathSolver solver(model);
         Posture posture;
         for (std::size_t frame = begin; frame < end; ++frame) {
+            if (interrupted)
+                throw Cancelled();
             set_posture(model.skeleton, values[frame], posture);
             for (std::size_t m = 0; m < muscles; ++m) {
                 LinesRow& row = result.rows[frame * muscles + m];
@@ -155,13 +161,18 @@ int lines(const LinesOptions& options) {
     for (std::size_t frame = 0; frame < values.size(); ++frame)
         result.times.push_back(time >= 0 ? table.value(frame, static_cast<std::size_t>(time))
                                          : static_cast<double>(frame));
-    write_lines_csv(options.out, model, result);
+    StagedFiles staged(options.out);
+    write_lines_csv(staged.place(), model, result);
     for (const std::string& list : options.exports)
         if (("," + list + ",").find(",vtp,") != std::string::npos)
-            write_lines_vtp(options.out, model, result);
+            write_lines_vtp(staged.place(), model, result);
+    std::set<std::filesystem::path> inputs{options.osim, options.motion};
+    for (const std::string& bone : options.bones)
+        inputs.insert(bone.substr(bone.find('=') + 1));
+    staged.commit(inputs);
     if (!options.quiet) {
         print_lines(std::cout, model, result);
-        std::cout << "written to " << options.out << '\n';
+        std::cout << "written to " << one_line(options.out) << '\n';
     }
     return 0;
 }

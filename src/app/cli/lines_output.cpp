@@ -1,5 +1,6 @@
 #include "app/cli/lines_output.hpp"
 
+#include "fascicle/base/text.hpp"
 #include "fascicle/io/csv.hpp"
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/mesh_file.hpp"
@@ -111,11 +112,11 @@ void write_lines_vtp(const std::filesystem::path& folder, const LineModel& model
 void print_lines(std::ostream& out, const LineModel& model, const LinesResult& result) {
     constexpr std::size_t most_lines = 12;
     const std::size_t muscles = model.muscles.size();
-    out << model.name << ": " << model.skeleton.bodies.size() - 1 << " bodies, "
+    out << one_line(model.name) << ": " << model.skeleton.bodies.size() - 1 << " bodies, "
         << model.skeleton.coordinates.size() << " coordinates, " << muscles << " muscles, "
         << result.times.size() << " frames\n";
     for (const std::string& note : result.notes)
-        out << "note: " << note << '\n';
+        out << "note: " << one_line(note) << '\n';
     const bool strings = has_strings(result);
     std::size_t width = 6, buried = 0;
     for (std::size_t m = 0; m < std::min(muscles, most_lines); ++m)
@@ -142,7 +143,7 @@ void print_lines(std::ostream& out, const LineModel& model, const LinesResult& r
                 string.add(1000 *
                            (result.coordinate >= 0 ? row.string->moment_arm : row.string->path.length));
         }
-        out << padded(model.muscles[m].name, width) << "  " << to_text(length);
+        out << padded(one_line(model.muscles[m].name), width) << "  " << to_text(length);
         if (result.coordinate >= 0)
             out << "  " << to_text(arm);
         if (strings)

@@ -7,8 +7,17 @@ const std::vector<Command>& commands() {
         {"scenes", "List the embedded scenes", "  fascicle scenes", add_scenes},
         {"info", "Tell what mesh files hold and what is wrong with them",
          "  fascicle info muscle.vtk bone.obj", add_info},
+        {"convert", "Write a mesh file in another format",
+         "  fascicle convert scan.stl scan.ply\n"
+         "  fascicle convert femur.vtk femur.obj --units m\n"
+         "  fascicle convert walk.mot walk.csv",
+         add_convert},
+        {"repair", "Make a closed, manifold, consistently oriented mesh of a broken one, or say why not",
+         "  fascicle repair iliacus_raw.vtk iliacus.vtk\n"
+         "  fascicle repair scan.obj muscle.vtk --fill 300 --smooth 10 --edge 2.5 --report muscle.json",
+         add_repair},
         {"simulate", "Run a scene and write numbers, meshes and pictures",
-         "  fascicle simulate --scene hip --export vtp,png --out out/hip\n"
+         "  fascicle simulate --scene hip --export vtp,png,glb --out out/hip\n"
          "  fascicle simulate --muscle gluteus.vtk --bone pelvis.obj --moving-bone femur.vtk\n"
          "      --hinge \"143.86,243.37,-432.53;1,0,0\" --angle-deg -57.3 --out out/flexion\n"
          "  fascicle simulate --osim gait.osim --motion walk.mot --muscle glut_max1_r --out out/walk\n"
@@ -34,6 +43,11 @@ const std::vector<Command>& commands() {
          "  fascicle report --scene squish-box --out box.html",
          add_report},
 #endif
+        {"export", "Write a run for other programs: glTF, USD, OBJ, point caches, tables",
+         "  fascicle export out/hip --out hip.glb --frames 0:300:5\n"
+         "  fascicle export out/hip --as pc2 --out out/hip_cache\n"
+         "  fascicle export from_blender.glb --as obj --out out/frames",
+         add_export},
         {"lines", "Length and moment arms of line muscles of an OpenSim model",
          "  fascicle lines --osim hip.osim --motion flexion.mot --out out/lines\n"
          "  fascicle lines --osim gait.osim --motion walk.mot --coordinate knee_angle_r --export vtp --out "

@@ -7,8 +7,10 @@
 #include "app/cli/run_scene.hpp"
 #include "app/cli/source_options.hpp"
 #include "editor/editor_picture.hpp"
+#include "fascicle/base/interrupt.hpp"
 #include "fascicle/io/run_reader.hpp"
 #include "output/run_pictures.hpp"
+#include "output/staged_files.hpp"
 
 #include <cmath>
 
@@ -55,6 +57,12 @@ output::PictureOptions picture_options(const RenderOptions& options) {
     return picture;
 }
 
+JobControl interruptible() {
+    JobControl control;
+    control.cancel = &watch_interrupts();
+    return control;
+}
+
 /// Frames 0 to `frame` of the source, or all of them.
 RecordingPtr simulate(const RenderOptions& options, int frame, bool all) {
     LoadedScene loaded = load(options.source, options.solve);
@@ -85,38 +93,30 @@ RecordingPtr read_frames(const RunReader& reader, int frame) {
     return recording;
 }
 
+void write_unless_cancelled(const RenderOptions& options, const Recording& recording,
+                            const render::Image& image) {
+    if (watch_interrupts())
+        throw_error(options.out, "cancelled, no picture was written");
+    output::check_no_input(options.out, recording.scene());
+    output::write_picture(options.out, image);
+}
+
 void draw_viewport(const RenderOptions& options, const output::PictureOptions& picture) {
     const RecordingPtr recording = options.run.empty() ? simulate(options, options.frame, false)
                                                        : read_frames(RunReader(options.run), options.frame);
     output::Pictures pictures(*recording, picture);
     if (options.transparent)
         pictures.set_transparent();
-    output::write_picture(options.out, pictures.draw(recording->frame_count() - 1));
-}
-
-/// "A:B" or "A:B:STEP"; without B to the last frame.
-FrameRange frame_range(const std::string& text) {
-    const std::string expected = "FIRST:LAST or FIRST:LAST:STEP, e.g. 0:300:5; LAST may be left out";
-    const std::vector<std::string> parts = split(text, ':');
-    if (parts.size() < 2 || parts.size() > 3)
-        throw_error("--frames", "got '" + text + "'", expected, ErrorKind::usage);
-    FrameRange range;
-    const int most = 10'000'000;
-    range.first = read_whole("--frames", parts[0], 0, most);
-    if (!parts[1].empty())
-        range.last = read_whole("--frames", parts[1], range.first, most);
-    if (parts.size() == 3)
-        range.step = read_whole("--frames", parts[2], 1, most);
-    return range;
+    write_unless_cancelled(options, *recording, pictures.draw(recording->frame_count() - 1));
 }
 
 void draw_film(const RenderOptions& options, const output::PictureOptions& picture) {
-    FilmOptions film{frame_range(options.frames), options.fps, options.transparent, options.out};
+    FilmOptions film{read_frame_range(options.frames), options.fps, options.transparent, options.out};
     film.kind(); // a wrong name or speed is told before anything is computed
     ProgressDisplay progress = ProgressDisplay::for_user(options.quiet);
     RecordingPtr recording;
     if (!options.run.empty()) {
-        recording = RunReader(options.run).read_recording();
+        recording = RunReader(options.run).read_recording(interruptible());
         if (film.range.last)
             output::place_of_frame(*recording, *film.range.last); // tells when there is no such frame
     } else {
@@ -136,13 +136,14 @@ void draw_editor(const RenderOptions& options, const output::PictureOptions& pic
         if (reader.frames().back() + 1 != static_cast<int>(reader.frames().size()))
             throw_error(options.run, "the editor shows a run with all of its frames", "a run without --every",
                         ErrorKind::usage);
-        recording = reader.read_recording();
+        recording = reader.read_recording(interruptible());
     }
     editor::EditorPictureOptions look;
     look.width = picture.width;
     look.height = picture.height;
     look.colouring = picture.colouring;
-    output::write_picture(options.out, editor::render_editor_picture(recording, options.frame, look));
+    write_unless_cancelled(options, *recording,
+                           editor::render_editor_picture(recording, options.frame, look));
 }
 
 int render(const RenderOptions& options) {
@@ -157,6 +158,10 @@ int render(const RenderOptions& options) {
         throw_error(options.transparent ? "--transparent" : "--frames", "cannot go with --ui",
                     "one of the two", ErrorKind::usage);
     const output::PictureOptions picture = picture_options(options);
+    if (options.frames.empty() ||
+        FilmOptions{{}, options.fps, options.transparent, options.out}.kind() != "pictures")
+        check_output_file(options.out, options.run, options.source, options.solve);
+    watch_interrupts(); // what is being written is finished, or not begun
     if (!options.frames.empty())
         draw_film(options, picture);
     else if (options.ui)

@@ -5,6 +5,7 @@
 #include "app/cli/run_film.hpp"
 #include "app/cli/run_scene.hpp"
 #include "app/cli/source_options.hpp"
+#include "fascicle/base/interrupt.hpp"
 #include "fascicle/io/run_reader.hpp"
 
 #include <iostream>
@@ -22,8 +23,11 @@ struct ReportOptions {
 };
 
 RecordingPtr recording_of(const ReportOptions& options, ProgressDisplay& progress) {
-    if (!options.run.empty())
-        return RunReader(options.run).read_recording();
+    if (!options.run.empty()) {
+        JobControl control;
+        control.cancel = &watch_interrupts();
+        return RunReader(options.run).read_recording(control);
+    }
     LoadedScene loaded = load(options.source, options.solve);
     RecordingPtr recording = run_scene(std::make_shared<const Scene>(std::move(loaded.scene)),
                                        {thread_count(options.solve), loaded.notes}, progress,
@@ -39,6 +43,7 @@ int report(const ReportOptions& options) {
     if (!options.run.empty() && options.source.given)
         throw_error("report", "got the run '" + options.run + "' and a source", "one of the two",
                     ErrorKind::usage);
+    check_output_file(options.out, options.run, options.source, options.solve);
     ProgressDisplay progress = ProgressDisplay::for_user(options.quiet);
     const RecordingPtr recording = recording_of(options, progress);
     write_report(options.out, recording, thread_count(options.solve), progress);

@@ -40,22 +40,21 @@ void run(const output::ExportRequest& request, const RecordingPtr& recording, co
 
 } // namespace
 
-output::ExportKind FilmOptions::kind() const {
-    using output::ExportKind;
+std::string FilmOptions::kind() const {
     std::string extension = out.extension().string();
     for (char& c : extension)
         c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    const ExportKind found = extension.empty()     ? ExportKind::pictures
-                             : extension == ".gif" ? ExportKind::gif
-                             : extension == ".mp4" ? ExportKind::video
-                                                   : ExportKind::picture;
-    if (found == ExportKind::picture)
+    const std::string found = extension.empty()     ? "frames"
+                              : extension == ".gif" ? "gif"
+                              : extension == ".mp4" ? "video"
+                                                    : "picture";
+    if (found == "picture")
         throw_error("--out", "got '" + out.string() + "' for several frames",
                     "a folder, FILE.gif or FILE.mp4", ErrorKind::usage);
-    const double most = found == ExportKind::gif ? gif_most_fps : 240;
+    const double most = found == "gif" ? gif_most_fps : 240;
     if (!(fps >= 0.1 && fps <= most))
         throw_error("--fps", "got " + number_text(fps), "0.1 to " + number_text(most), ErrorKind::usage);
-    if (transparent && found != ExportKind::pictures)
+    if (transparent && found != "frames")
         throw_error("--transparent", "a film has a background", "a folder of pictures", ErrorKind::usage);
     return found;
 }
@@ -74,16 +73,21 @@ void write_film(const FilmOptions& options, const RecordingPtr& recording,
     run(request, recording, look, progress);
 }
 
-void write_report(const std::filesystem::path& out, const RecordingPtr& recording, int threads,
-                  ProgressDisplay& progress) {
-    output::ExportRequest request;
-    request.kind = output::ExportKind::report;
-    request.target = out;
-    request.threads = threads;
+void write_drawn(const output::ExportRequest& request, const RecordingPtr& recording,
+                 ProgressDisplay& progress) {
     output::PictureOptions picture;
     picture.width = 1200;
     picture.height = 800;
     run(request, recording, look_of(recording, picture), progress);
+}
+
+void write_report(const std::filesystem::path& out, const RecordingPtr& recording, int threads,
+                  ProgressDisplay& progress) {
+    output::ExportRequest request;
+    request.kind = "report";
+    request.target = out;
+    request.threads = threads;
+    write_drawn(request, recording, progress);
 }
 
 } // namespace fascicle::app

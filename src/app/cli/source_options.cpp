@@ -3,6 +3,7 @@
 #include "app/cli/options.hpp"
 #include "fascicle/base/error.hpp"
 #include "fascicle/base/parallel.hpp"
+#include "fascicle/io/files.hpp"
 #include "fascicle/io/preset_file.hpp"
 #include "fascicle/io/user_folder.hpp"
 #include "fascicle/solver/soft_body_solver.hpp"
@@ -135,6 +136,36 @@ void apply(const SolveOptions& options, ParamSet& parameters) {
         else
             parameters.assign(text);
     }
+}
+
+std::vector<std::filesystem::path> input_files(const SourceOptions& source, const SolveOptions& solve) {
+    const SceneRequest& r = source.request;
+    std::vector<std::filesystem::path> files{r.project, r.motion, r.lines, solve.preset};
+    for (const auto* list : {&r.muscles, &r.bones, &r.moving_bones})
+        files.insert(files.end(), list->begin(), list->end());
+    for (const auto* list : {&r.attachments, &r.surface_fibres, &r.fibre_templates})
+        for (const auto& [name, path] : *list)
+            files.push_back(path);
+    std::erase(files, std::filesystem::path());
+    return files;
+}
+
+void check_output_file(const std::filesystem::path& out, const std::string& run, const SourceOptions& source,
+                       const SolveOptions& solve) {
+    namespace fs = std::filesystem;
+    check_output_name(out);
+    std::error_code ignored;
+    for (const fs::path& input : input_files(source, solve))
+        if (fs::equivalent(input, out, ignored))
+            throw_error(out.string(), "the output would replace the input", "another name", ErrorKind::usage);
+    if (run.empty() || !fs::exists(out, ignored))
+        return;
+    const fs::path inside = fs::canonical(out, ignored).lexically_relative(fs::canonical(run, ignored));
+    const std::string kind = out.extension().string();
+    if (!inside.empty() && *inside.begin() != ".." &&
+        (kind == ".csv" || kind == ".json" || kind == ".vtp" || kind == ".pvd"))
+        throw_error(out.string(), "the output would replace a file of the run", "another name",
+                    ErrorKind::usage);
 }
 
 LoadedScene load(const SourceOptions& source, const SolveOptions& solve) {

@@ -31,6 +31,14 @@ int thread_count(const SolveOptions& options);
 /// Puts method, iterations and single values into the set, in this order. Error (usage) naming the key.
 void apply(const SolveOptions& options, ParamSet& parameters);
 
+/// All files that the options name.
+std::vector<std::filesystem::path> input_files(const SourceOptions& source, const SolveOptions& solve);
+
+/// For commands that write one file: Error (usage) when `out` is an input, or a table or mesh of the folder `run` (empty: none); Error when
+/// no file can have that name. Before anything is computed.
+void check_output_file(const std::filesystem::path& out, const std::string& run, const SourceOptions& source,
+                       const SolveOptions& solve);
+
 /// Reads the source and applies the solve options. Error (usage) when there is no source at all.
 LoadedScene load(const SourceOptions& source, const SolveOptions& solve);
 

@@ -1,6 +1,9 @@
 // fascicle templates: the fibre templates with a line each, a user's own checked, pictures of them.
 
 #include "app/cli/command.hpp"
+#include "fascicle/base/error.hpp"
+#include "fascicle/base/interrupt.hpp"
+#include "fascicle/base/text.hpp"
 #include "fascicle/io/fibre_template_file.hpp"
 
 #include <CLI/CLI.hpp>
@@ -36,15 +39,17 @@ std::function<int()> add_templates(CLI::App& app) {
         std::size_t width = 0;
         for (const FibreTemplate& one : templates)
             width = std::max(width, one.key.size());
+        const std::atomic<bool>& interrupted = watch_interrupts();
         for (const FibreTemplate& one : templates) {
-            std::cout << one.key << std::string(width - one.key.size() + 2, ' ') << one.meaning << '\n';
+            if (interrupted)
+                throw Cancelled();
+            std::cout << one_line(one.key) << std::string(width - one.key.size() + 2, ' ')
+                      << one_line(one.meaning) << '\n';
             if (options->thumbnails.empty())
                 continue;
             const PngImage image = draw_fibre_template(one, options->size);
-            // The key comes from a file: only its last part names the picture, so that it stays in the folder.
-            const std::filesystem::path name = std::filesystem::path(one.key).filename();
-            write_png(std::filesystem::path(options->thumbnails) / (name.string() + ".png"), image.width,
-                      image.height, image.rgba.data());
+            write_png(std::filesystem::path(options->thumbnails) / (file_name_for(one.key) + ".png"),
+                      image.width, image.height, image.rgba.data());
         }
         return 0;
     };

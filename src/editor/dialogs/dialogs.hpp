@@ -15,6 +15,7 @@
 #include "editor/dialogs/progress_note.hpp"
 #include "editor/dialogs/recovery_dialog.hpp"
 #include "editor/dialogs/reload_dialog.hpp"
+#include "editor/dialogs/repair_dialog.hpp"
 #include "editor/dialogs/run_dialog.hpp"
 #include "editor/dialogs/save_dialog.hpp"
 #include "editor/dialogs/unsaved_dialog.hpp"
@@ -33,6 +34,7 @@ struct Dialogs {
     UnsavedDialog unsaved;
     LocateDialog locate;
     ReloadDialog reload;
+    RepairDialog repair;
     RecoveryDialog recovery;
     ProgressNote progress;
     RunDialog run;
@@ -43,7 +45,7 @@ struct Dialogs {
     std::vector<Dialog*> all() {
         return {&search, &mesh,        &picture,      &run,          &exporting, &load,
                 &pick,   &plot_export, &plot_overlay, &open_project, &save,      &unsaved,
-                &locate, &reload,      &recovery,     &progress,     &osim};
+                &locate, &repair,      &reload,       &recovery,     &progress,  &osim};
     }
 };
 

@@ -6,6 +6,7 @@
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/paint.hpp"
 #include "editor/widgets/tool_button.hpp"
+#include "fascicle/io/animation.hpp"
 #include "fascicle/io/gif_file.hpp"
 
 #include <algorithm>
@@ -15,26 +16,11 @@
 namespace fascicle::editor {
 
 namespace fs = std::filesystem;
-using output::ExportKind;
 
 namespace {
 
 constexpr const char* popup_name = "Export";
 constexpr float label_width = 96;
-
-// Font Awesome 4.7, in the order of ExportKind.
-constexpr Icon kind_icons[] = {
-    {"\xEF\x80\xBE", ""}, // U+F03E picture
-    {"\xEF\x87\x85", ""}, // U+F1C5 numbered pictures
-    {"\xEF\x80\x88", ""}, // U+F008 GIF
-    {"\xEF\x80\xBD", ""}, // U+F03D video
-    {"\xEF\x86\xB3", ""}, // U+F1B3 meshes
-    {"\xEF\x86\xB2", ""}, // U+F1B2 mesh
-    {"\xEF\x83\x89", ""}, // U+F0C9 fibres
-    {"\xEF\x83\x8E", ""}, // U+F0CE metrics
-    {"\xEF\x81\xBB", ""}, // U+F07B run
-    {"\xEF\x83\xB6", ""}, // U+F0F6 report
-};
 
 /// Text of a colour, wrapped to the width.
 void paragraph(ImU32 colour, const std::string& text, float width) {
@@ -60,7 +46,8 @@ bool number(const EditorContext& context, const char* name, int& value, int low,
 
 // Folders alone are chosen here; what is in them shows what may be replaced.
 ExportDialog::ExportDialog()
-    : browser_({".png", ".gif", ".mp4", ".vtp", ".obj", ".csv", ".html", ".json", ".pvd"},
+    : browser_({".png", ".gif", ".mp4", ".vtp", ".obj", ".csv", ".html", ".json", ".pvd", ".glb", ".usda",
+                ".pc2", ".mdd"},
                "No exports here") {}
 
 void ExportDialog::open(EditorContext& context) {
@@ -117,6 +104,8 @@ output::ExportRequest ExportDialog::request(const EditorContext& context) const 
     request.step = std::max(1, choices.step);
     request.fps = choices.fps;
     request.dither = choices.dither;
+    request.morph_targets = choices.morph_targets;
+    request.up = choices.up;
     return request;
 }
 
@@ -143,7 +132,7 @@ void ExportDialog::draw(EditorContext& context) {
         return;
     bool keep = true;
     const bool opening = appears_;
-    if (!begin_modal(context, popup_name, appears_, 820, 540, &keep)) {
+    if (!begin_modal(context, popup_name, appears_, 820, 600, &keep)) {
         if (opening)
             return;    // another one is in front
         open_ = false; // Esc closed it
@@ -195,15 +184,16 @@ void ExportDialog::draw_kinds(EditorContext& context, ImVec2 size) {
     const Theme& theme = context.theme;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, theme.plot);
     if (ImGui::BeginChild("kinds", size, false)) {
-        const float line = context.px(34);
+        const float line = context.px(25);
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0}); // all kinds fit a small window
         for (const output::ExportKindRow& row : output::export_kinds()) {
             const ImVec2 at = ImGui::GetCursorScreenPos();
             const float width = ImGui::GetContentRegionAvail().x;
-            const bool chosen = context.state.exporting.kind == row.kind;
-            const std::string reason = reason_against(context, row.kind);
+            const bool chosen = context.state.exporting.kind == row.key;
+            const std::string reason = reason_against(context, row.key);
             ImGui::PushID(row.key);
             if (ImGui::Selectable("##kind", chosen, 0, {width, line})) {
-                context.state.exporting.kind = row.kind;
+                context.state.exporting.kind = row.key;
                 problem_.clear();
                 instead_.clear();
                 browsing_ = false;
@@ -217,12 +207,12 @@ void ExportDialog::draw_kinds(EditorContext& context, ImVec2 size) {
             const float x = at.x + context.px(12), mark = context.px(22);
             if (icons_available())
                 draw_text_in(list, {{x, at.y}, {x + mark, at.y + line}},
-                             chosen ? theme.accent : theme.text_dim,
-                             kind_icons[static_cast<std::size_t>(row.kind)].glyph, Align::centre);
+                             chosen ? theme.accent : theme.text_dim, row.icon, Align::centre);
             draw_text_in(list,
                          {{x + mark + context.px(10), at.y}, {at.x + width - context.px(6), at.y + line}},
                          text, row.label);
         }
+        ImGui::PopStyleVar();
     }
     ImGui::EndChild();
     ImGui::PopStyleColor();
@@ -242,7 +232,7 @@ void ExportDialog::draw_options(EditorContext& context, ImVec2 size) {
     } else {
         if (row.traits.frames)
             draw_frames(context);
-        else if (choices.kind == ExportKind::picture || choices.kind == ExportKind::mesh) {
+        else if (row.traits.one) {
             label(context, "Frame");
             ImGui::TextUnformatted(
                 (std::to_string(request(context).frame) + ", the one that is shown").c_str());
@@ -254,13 +244,17 @@ void ExportDialog::draw_options(EditorContext& context, ImVec2 size) {
             draw_size(context);
         if (row.traits.speed)
             draw_speed(context);
-        if (choices.kind == ExportKind::gif) {
+        if (choices.kind == "gif") {
             label(context, "Colours");
             ImGui::Checkbox("Dither", &choices.dither);
             record_item("export/dither");
             item_tooltip(
                 "A fine pattern hides the steps between 255 colours; the file is larger.\nDefault: on.");
         }
+        if (row.traits.morphs)
+            draw_morphs(context);
+        if (row.traits.up)
+            draw_up(context);
         label(context, "Estimate");
         const auto [w, h] = picture_size(context);
         ImGui::TextUnformatted(
@@ -370,6 +364,36 @@ void ExportDialog::draw_frames(EditorContext& context) {
            "1: every frame, 2: every other one, and so on.\nDefault: 1.");
 }
 
+void ExportDialog::draw_morphs(EditorContext& context) {
+    ExportChoices& choices = context.state.exporting;
+    label(context, "Shapes");
+    number(context, "morph_targets", choices.morph_targets, 1, 1000,
+           "Shapes (morph targets) beside the first, 1 to 1000: of more frames every other one is taken, or "
+           "every\n"
+           "third, and other programs blend between them. Browsers are slow beyond 64.\nDefault: 64.");
+    ImGui::SameLine(0, context.px(8));
+    const auto shapes =
+        spread_frames(static_cast<std::size_t>(picture_count(context)), choices.morph_targets).size();
+    ImGui::TextUnformatted(
+        ("at most; " + std::to_string(shapes > 0 ? shapes - 1 : 0) + " for these frames").c_str());
+    record_item("export/morph_count");
+}
+
+void ExportDialog::draw_up(EditorContext& context) {
+    ExportChoices& choices = context.state.exporting;
+    label(context, "Up axis");
+    for (const char axis : {'z', 'y'}) {
+        if (ImGui::RadioButton(std::string(1, axis).c_str(), choices.up == axis))
+            choices.up = axis;
+        record_item(std::string("export/up/") + axis);
+        item_tooltip(
+            "Axis of the scene that points up, so that it stands upright elsewhere: z in medical data\n"
+            "(LPS), y in OpenSim's. Nothing is mirrored.\nDefault: z.");
+        ImGui::SameLine(0, context.px(12));
+    }
+    ImGui::NewLine();
+}
+
 void ExportDialog::draw_size(EditorContext& context) {
     ExportChoices& choices = context.state.exporting;
     label(context, "Size");
@@ -409,14 +433,13 @@ void ExportDialog::draw_size(EditorContext& context) {
 
 void ExportDialog::draw_speed(EditorContext& context) {
     ExportChoices& choices = context.state.exporting;
-    const double most = choices.kind == ExportKind::gif ? gif_most_fps : 120.0;
+    const double most = choices.kind == "gif" ? gif_most_fps : 120.0;
     label(context, "Speed");
     ImGui::SetNextItemWidth(context.px(64));
     ImGui::InputDouble("##fps", &choices.fps, 0, 0, "%.4g");
     record_item("export/fps");
-    item_tooltip(choices.kind == ExportKind::gif
-                     ? "Pictures a second, 1 to 50; a GIF cannot be faster.\nDefault: 25."
-                     : "Pictures a second, 1 to 120.\nDefault: 25.");
+    item_tooltip(choices.kind == "gif" ? "Pictures a second, 1 to 50; a GIF cannot be faster.\nDefault: 25."
+                                       : "Pictures a second, 1 to 120.\nDefault: 25.");
     choices.fps = choices.fps >= 1 ? std::min(choices.fps, most) : 1;
     ImGui::SameLine(0, context.px(8));
     ImGui::TextUnformatted(speed_text(context, picture_count(context), request(context)).c_str());

@@ -7,7 +7,7 @@
 namespace fascicle::editor {
 
 /// Why the kind cannot be exported now, as the end of a sentence; empty when it can.
-std::string reason_against(const EditorContext& context, output::ExportKind kind);
+std::string reason_against(const EditorContext& context, std::string_view kind);
 /// Number of the last frame of the run that is shown; 0 before any.
 int last_exported_frame(const EditorContext& context);
 /// Which frames there are, and whether more will come.
@@ -18,7 +18,7 @@ std::string estimate_text(const EditorContext& context, const output::ExportRequ
 /// "pictures/s: 12.0 s, half the speed of the motion".
 std::string speed_text(const EditorContext& context, int pictures, const output::ExportRequest& request);
 /// What exists under the name already; empty when nothing does.
-std::string replace_warning(const std::filesystem::path& target, output::ExportKind kind);
+std::string replace_warning(const std::filesystem::path& target, std::string_view kind);
 /// The scene's name as one that every file system takes.
 std::string export_name(const std::string& scene);
 /// As much of the text's end as fits, after an ellipsis.

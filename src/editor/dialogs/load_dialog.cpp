@@ -3,6 +3,7 @@
 #include "editor/features.hpp"
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/tool_button.hpp"
+#include "fascicle/io/format_registry.hpp"
 
 #include <algorithm>
 
@@ -28,11 +29,8 @@ const std::vector<LoadRow>& load_rows() {
          {".csv", ".tsv"},
          true,
          &FileLoader::load_outlines},
-        {FileKind::mesh,
-         "Surface fibres",
-         "Polylines of superficial fibres, in the unit and axes of the scene.",
-         {".vtk", ".vtp", ".obj"},
-         true,
+        {FileKind::mesh, "Surface fibres",
+         "Polylines of superficial fibres, in the unit and axes of the scene.", mesh_extensions(), true,
          &FileLoader::load_surface_fibres},
         {FileKind::fibre_template,
          "Fibre template",

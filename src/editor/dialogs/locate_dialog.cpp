@@ -16,9 +16,8 @@ namespace {
 
 /// What a project may refer to.
 std::vector<std::string> extensions() {
-    std::vector<std::string> all{".csv", ".json", ".osim", ".mot", ".sto"};
-    for (const MeshFormat& format : mesh_formats())
-        all.insert(all.end(), format.extensions.begin(), format.extensions.end());
+    std::vector<std::string> all = mesh_extensions();
+    all.insert(all.end(), {".csv", ".json", ".osim", ".mot", ".sto"});
     return all;
 }
 

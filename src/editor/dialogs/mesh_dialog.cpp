@@ -13,13 +13,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::vector<std::string> mesh_extensions() {
-    std::vector<std::string> all;
-    for (const MeshFormat& format : mesh_formats())
-        all.insert(all.end(), format.extensions.begin(), format.extensions.end());
-    return all;
-}
-
 constexpr const char* popup_name = "Add meshes";
 
 std::string count_text(int n, const char* one, const char* many) {

@@ -1,6 +1,7 @@
 #include "io/formats/vtk_legacy.hpp"
 
 #include "fascicle/base/error.hpp"
+#include "io/formats/array_names.hpp"
 #include "io/formats/vtk_values.hpp"
 
 #include <cmath>
@@ -12,25 +13,6 @@ constexpr VtkType int32{VtkKind::integer, 4};
 constexpr const char* sections =
     "POINTS, POLYGONS, TRIANGLE_STRIPS, LINES, VERTICES, FIELD, METADATA, CELL_DATA or "
     "POINT_DATA";
-
-/// What write_vtk_legacy makes of a name, taken back: % and two hexadecimal digits are a byte.
-std::string decoded_name(std::string_view name) {
-    const auto digit = [](char c) {
-        return c >= '0' && c <= '9'   ? c - '0'
-               : c >= 'A' && c <= 'F' ? c - 'A' + 10
-               : c >= 'a' && c <= 'f' ? c - 'a' + 10
-                                      : -1;
-    };
-    std::string out;
-    for (std::size_t i = 0; i < name.size(); ++i)
-        if (name[i] == '%' && i + 2 < name.size() && digit(name[i + 1]) >= 0 && digit(name[i + 2]) >= 0) {
-            out += static_cast<char>(16 * digit(name[i + 1]) + digit(name[i + 2]));
-            i += 2;
-        } else {
-            out += name[i];
-        }
-    return out;
-}
 
 enum class CellKind { vertex, line, polygon, strip };
 
@@ -53,10 +35,11 @@ private:
     void attributes();
     void field();
     void metadata();
-    /// Keeps numbers of points as an array, passes over everything else.
+    /// Keeps numbers of points and of lines as an array, passes over everything else.
     void take(std::string_view name, const VtkType& type, std::size_t components, std::size_t tuples,
               const char* what);
     VtkType next_type(const char* what);
+    std::size_t next_components();
 
     TextScanner scanner_;
     VtkValues values_{scanner_};
@@ -65,8 +48,11 @@ private:
     bool have_points_ = false;
     long long highest_index_ = -1;
     std::size_t highest_index_at_ = 0;
-    std::size_t tuples_ = 0;  ///< of the CELL_DATA or POINT_DATA being read
-    bool point_data_ = false; ///< which of the two
+    std::size_t tuples_ = 0;   ///< of the CELL_DATA or POINT_DATA being read
+    bool point_data_ = false;  ///< which of the two
+    bool in_data_ = false;     ///< whether one of them has begun
+    std::size_t vertices_ = 0; ///< cells of VERTICES
+    std::string cell_arrays_;  ///< names of those that are not kept
 };
 
 void LegacyReader::header() {
@@ -125,6 +111,8 @@ MeshData LegacyReader::read() {
                          "vertex index " + std::to_string(highest_index_) + " is out of range",
                          points_.empty() ? "no cells, since there are no points"
                                          : "0 to " + std::to_string(points_.size() - 1));
+    if (!cell_arrays_.empty() && cell_arrays_.size() < 1000)
+        data_.notes.push_back("arrays of cells were passed over: " + cell_arrays_);
     if (!data_.lines.lines.empty())
         data_.lines.points = points_;
     if (data_.lines.lines.empty() || !data_.mesh.triangles.empty())
@@ -138,6 +126,13 @@ VtkType LegacyReader::next_type(const char* what) {
     if (!type)
         scanner_.fail("unknown data type " + shown(name), what);
     return *type;
+}
+
+std::size_t LegacyReader::next_components() {
+    const std::size_t components = scanner_.next_count("the number of components");
+    if (components < 1 || components > 1000)
+        scanner_.fail("got " + std::to_string(components), "1 to 1000 components");
+    return components;
 }
 
 void LegacyReader::points() {
@@ -184,6 +179,8 @@ void LegacyReader::add_triangle(int a, int b, int c) {
 
 void LegacyReader::add_cell(CellKind kind, const std::vector<int>& cell) {
     const std::size_t least = kind == CellKind::line ? 2 : 3;
+    if (kind == CellKind::vertex)
+        ++vertices_;
     if (kind == CellKind::vertex || cell.empty())
         return;
     if (cell.size() < least)
@@ -291,16 +288,24 @@ void LegacyReader::metadata() {
 
 void LegacyReader::take(std::string_view name, const VtkType& type, std::size_t components,
                         std::size_t tuples, const char* what) {
-    if (!point_data_ || !have_points_ || type.size == 0 || components == 0 || tuples != points_.size()) {
+    // Data of cells run vertices, lines, polygons, strips.
+    const std::size_t lines = data_.lines.lines.size(), first = point_data_ ? 0 : vertices_;
+    const std::size_t kept = point_data_ ? points_.size() : lines;
+    const bool fits = point_data_ ? tuples == kept : lines > 0 && tuples >= first + lines;
+    if (!in_data_ || !have_points_ || type.size == 0 || components == 0 || !fits) {
+        if (in_data_ && !point_data_)
+            cell_arrays_ += (cell_arrays_.empty() ? "" : ", ") + shown(name);
         values_.skip(type, components * tuples, what);
         return;
     }
     values_.require(type, components * tuples, what);
+    values_.skip(type, components * first, what);
     NamedArray array{decoded_name(name), static_cast<int>(components), {}};
-    array.values.reserve(components * tuples);
-    for (std::size_t i = 0; i < components * tuples; ++i)
+    array.values.reserve(components * kept);
+    for (std::size_t i = 0; i < components * kept; ++i)
         array.values.push_back(values_.next_double(type, what));
-    data_.point_arrays.push_back(std::move(array));
+    values_.skip(type, components * (tuples - first - kept), what);
+    (point_data_ ? data_.point_arrays : data_.line_arrays).push_back(std::move(array));
 }
 
 void LegacyReader::field() {
@@ -328,13 +333,13 @@ void LegacyReader::field() {
     }
 }
 
-/// Passes over one attribute of cells or points. False when the keyword is none.
+/// Reads or passes over one attribute of cells or points. False when the keyword is none.
 bool LegacyReader::attribute(const std::string& keyword) {
-    const auto skip_typed = [&](std::size_t components) {
-        scanner_.next_word(); // its name
+    const auto typed = [&](std::size_t components) {
+        const std::string_view name = scanner_.next_word();
         const VtkType type = next_type("a data type");
         values_.end_header();
-        values_.skip(type, components * tuples_, "an attribute");
+        take(name, type, components, tuples_, "an attribute");
     };
     if (keyword == "scalars") {
         const std::string_view name = scanner_.next_word();
@@ -351,30 +356,34 @@ bool LegacyReader::attribute(const std::string& keyword) {
         }
         take(name, type, static_cast<std::size_t>(components), tuples_, "scalars");
     } else if (keyword == "color_scalars") {
-        scanner_.next_word();
-        const std::size_t components = scanner_.next_count("the number of components");
+        const std::string_view name = scanner_.next_word();
+        const std::size_t components = next_components();
         values_.end_header();
-        values_.skip({VtkKind::unsigned_integer, 1}, std::min<std::size_t>(components, 1000) * tuples_,
-                     "colours");
+        const std::size_t before = data_.point_arrays.size() + data_.line_arrays.size();
+        take(name, {VtkKind::unsigned_integer, 1}, components, tuples_, "colours");
+        // ASCII has shares from 0 to 1, BINARY bytes; VTK makes bytes of both.
+        if (!values_.binary() && data_.point_arrays.size() + data_.line_arrays.size() > before)
+            for (double& v : (point_data_ ? data_.point_arrays : data_.line_arrays).back().values)
+                v = std::floor(255 * v + 0.5);
     } else if (keyword == "lookup_table") {
         scanner_.next_word();
         const std::size_t size = scanner_.next_count("the size of the table");
         values_.end_header();
         values_.skip({VtkKind::unsigned_integer, 1}, 4 * size, "a look-up table");
     } else if (keyword == "texture_coordinates") {
-        scanner_.next_word();
-        const std::size_t dimension = scanner_.next_count("the dimension");
+        const std::string_view name = scanner_.next_word();
+        const std::size_t dimension = next_components();
         const VtkType type = next_type("a data type");
         values_.end_header();
-        values_.skip(type, std::min<std::size_t>(dimension, 1000) * tuples_, "texture coordinates");
+        take(name, type, dimension, tuples_, "texture coordinates");
     } else if (keyword == "vectors" || keyword == "normals") {
-        skip_typed(3);
+        typed(3);
     } else if (keyword == "tensors") {
-        skip_typed(9);
+        typed(9);
     } else if (keyword == "tensors6") {
-        skip_typed(6);
+        typed(6);
     } else if (keyword == "global_ids" || keyword == "pedigree_ids" || keyword == "edge_flags") {
-        skip_typed(1);
+        typed(1);
     } else if (keyword == "field") {
         field();
     } else if (keyword == "metadata") {
@@ -382,6 +391,7 @@ bool LegacyReader::attribute(const std::string& keyword) {
     } else if (keyword == "cell_data" || keyword == "point_data") {
         tuples_ = scanner_.next_count("the number of tuples");
         point_data_ = keyword == "point_data";
+        in_data_ = true;
     } else {
         return false;
     }
@@ -419,6 +429,9 @@ MeshData read_vtk_legacy(std::string_view bytes, const std::string& file) {
 }
 
 bool looks_like_vtk_legacy(std::string_view bytes) {
+    TextScanner scanner(bytes, {});
+    scanner.skip_space();
+    bytes.remove_prefix(scanner.position());
     constexpr std::string_view magic = "# vtk datafile version";
     return equal_ignoring_case(bytes.substr(0, magic.size()), magic);
 }

@@ -1,3 +1,4 @@
+#include "io/formats/array_names.hpp"
 #include "io/formats/vtk_legacy.hpp"
 
 #include <bit>
@@ -6,23 +7,23 @@
 namespace fascicle::io {
 namespace {
 
-/// Names of arrays are words: what would end one, and the sign itself, stands as % and two hexadecimal digits.
-std::string encoded_name(std::string_view name) {
-    constexpr const char* digits = "0123456789ABCDEF";
-    std::string out;
-    for (const char c : name) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (byte > 0x20 && byte < 0x7f && c != '%' && c != '"')
-            out += c;
-        else
-            out += {'%', digits[byte >> 4], digits[byte & 15]};
-    }
-    return out.empty() ? "%20" : out;
-}
-
 void put_big_endian(std::string& out, std::uint64_t bits, int size) {
     for (int i = size - 1; i >= 0; --i)
         out += static_cast<char>((bits >> (8 * i)) & 0xff);
+}
+
+void put_arrays(std::string& text, const char* section, const std::vector<NamedArray>& arrays,
+                std::size_t tuples) {
+    if (arrays.empty())
+        return;
+    text += section + std::to_string(tuples) + "\nFIELD FieldData " + std::to_string(arrays.size()) + '\n';
+    for (const NamedArray& array : arrays) {
+        text += encoded_name(array.name) + ' ' + std::to_string(array.components) + ' ' +
+                std::to_string(tuples) + " double\n";
+        for (const double value : array.values)
+            put_big_endian(text, std::bit_cast<std::uint64_t>(value), 8);
+        text += '\n';
+    }
 }
 
 } // namespace
@@ -57,17 +58,9 @@ void write_vtk_legacy(std::ostream& out, const MeshData& data) {
         }
         text += '\n';
     }
-    if (!data.point_arrays.empty()) {
-        text += "POINT_DATA " + std::to_string(points.size()) + "\nFIELD FieldData " +
-                std::to_string(data.point_arrays.size()) + '\n';
-        for (const NamedArray& array : data.point_arrays) {
-            text += encoded_name(array.name) + ' ' + std::to_string(array.components) + ' ' +
-                    std::to_string(points.size()) + " double\n";
-            for (const double value : array.values)
-                put_big_endian(text, std::bit_cast<std::uint64_t>(value), 8);
-            text += '\n';
-        }
-    }
+    if (data.mesh.triangles.empty()) // data of cells need a value for every cell; polygons would have none
+        put_arrays(text, "CELL_DATA ", data.line_arrays, data.lines.lines.size());
+    put_arrays(text, "POINT_DATA ", data.point_arrays, points.size());
     out.write(text.data(), static_cast<std::streamsize>(text.size()));
 }
 

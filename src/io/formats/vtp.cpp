@@ -6,6 +6,7 @@
 #include "io/formats/vtp_array.hpp"
 #include "io/formats/xml_reader.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -14,7 +15,8 @@ namespace {
 
 class VtpReader {
 public:
-    VtpReader(std::string_view bytes, const std::string& file) : xml_(bytes, file) {}
+    VtpReader(std::string_view bytes, const std::string& file)
+        : bytes_(bytes), file_(file), xml_(bytes, file) {}
     MeshData read();
 
 private:
@@ -34,10 +36,14 @@ private:
     void arrays(std::vector<NamedArray>& into, std::size_t before, std::size_t count, std::size_t skip);
     NamedArray array() { return read_vtp_array(xml_, encoding_); }
 
+    std::string_view bytes_;
+    std::string file_;
     XmlReader xml_;
     VtpEncoding encoding_;
     MeshData data_;
     Points points_;
+    std::string cell_arrays_; ///< names of those of polygons
+    bool done_ = false;       ///< nothing that follows is looked at
 };
 
 template <typename Visit>
@@ -46,6 +52,8 @@ void VtpReader::children(Visit visit) {
         switch (xml_.next()) {
         case XmlReader::Event::start:
             visit(xml_.name());
+            if (done_)
+                return;
             break;
         case XmlReader::Event::end:
             return;
@@ -68,7 +76,7 @@ std::size_t VtpReader::count_attribute(const char* key) {
 
 MeshData VtpReader::read() {
     bool found = false;
-    for (auto event = xml_.next(); event != XmlReader::Event::finished; event = xml_.next()) {
+    for (auto event = xml_.next(); !done_ && event != XmlReader::Event::finished; event = xml_.next()) {
         if (event != XmlReader::Event::start)
             continue;
         if (xml_.name() != "VTKFile")
@@ -77,8 +85,14 @@ MeshData VtpReader::read() {
             xml_.fail("the data set is " + shown(xml_.attribute("type")), "PolyData");
         encoding_.big_endian = xml_.attribute("byte_order") == "BigEndian";
         encoding_.header_bytes = xml_.attribute("header_type") == "UInt64" ? 8 : 4;
-        encoding_.compressed = xml_.has_attribute("compressor");
+        encoding_.compressor = xml_.attribute("compressor");
+        encoding_.numbers_left = vtp_number_limit(bytes_.size());
+        find_appended_data(bytes_, file_, encoding_);
         children([&](const std::string& name) {
+            if (name == "AppendedData" && encoding_.has_appended) {
+                done_ = true; // bytes that are no XML; the arrays that name them stand before
+                return;
+            }
             if (name != "PolyData")
                 return xml_.skip_element();
             found = true;
@@ -87,6 +101,8 @@ MeshData VtpReader::read() {
     }
     if (!found)
         xml_.fail("no polydata in the file", "<VTKFile type=\"PolyData\"><PolyData>");
+    if (!cell_arrays_.empty() && cell_arrays_.size() < 1000)
+        data_.notes.push_back("arrays of polygons were passed over: " + cell_arrays_);
     if (!data_.lines.lines.empty())
         data_.lines.points = points_;
     if (data_.lines.lines.empty() || !data_.mesh.triangles.empty())
@@ -135,6 +151,12 @@ void VtpReader::piece() {
         } else if (name == "CellData" && piece.lines > 0) {
             arrays(data_.line_arrays, lines_before, piece.lines,
                    piece.verts); // cells run verts, lines, polys, strips
+        } else if (name == "CellData") {
+            children([&](const std::string& inner) {
+                if (inner == "DataArray")
+                    cell_arrays_ += (cell_arrays_.empty() ? "" : ", ") + shown(xml_.attribute("Name"));
+                xml_.skip_element();
+            });
         } else {
             xml_.skip_element();
         }
@@ -257,7 +279,11 @@ std::string int_text(std::size_t i) {
 void put_named(std::string& out, const std::vector<NamedArray>& arrays, const char* element) {
     if (arrays.empty())
         return;
-    out += std::string("<") + element + ">\n";
+    // Readers find normals by this attribute; Simbody's (OpenSim's) does not open a mesh without.
+    const bool normals = std::any_of(arrays.begin(), arrays.end(), [](const NamedArray& a) {
+        return a.name == "Normals" && a.components == 3;
+    });
+    out += std::string("<") + element + (normals ? " Normals=\"Normals\"" : "") + ">\n";
     for (const NamedArray& a : arrays)
         put_array(out,
                   "type=\"Float64\" Name=\"" + xml_escaped(a.name) + "\" NumberOfComponents=\"" +
@@ -295,16 +321,14 @@ void write_vtp(std::ostream& out, const MeshData& data) {
         FASCICLE_ASSERT(a.values.size() == points.size() * static_cast<std::size_t>(a.components));
     for (const NamedArray& a : data.line_arrays)
         FASCICLE_ASSERT(a.values.size() == data.lines.lines.size() * static_cast<std::size_t>(a.components));
-    // Arrays of lines are cell data, which must have a value for every cell: with polygons too there would be
-    // none.
-    FASCICLE_ASSERT(data.line_arrays.empty() || data.mesh.triangles.empty());
     std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" "
                        "byte_order=\"LittleEndian\">\n<PolyData>\n<Piece NumberOfPoints=\"" +
                        std::to_string(points.size()) + "\" NumberOfVerts=\"0\" NumberOfLines=\"" +
                        std::to_string(data.lines.lines.size()) + "\" NumberOfStrips=\"0\" NumberOfPolys=\"" +
                        std::to_string(data.mesh.triangles.size()) + "\">\n";
     put_named(text, data.point_arrays, "PointData");
-    put_named(text, data.line_arrays, "CellData");
+    if (data.mesh.triangles.empty()) // cell data need a value for every cell; polygons would have none
+        put_named(text, data.line_arrays, "CellData");
     text += "<Points>\n";
     put_array(text, "type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"", points, 1, point_text);
     text += "</Points>\n";
@@ -315,8 +339,8 @@ void write_vtp(std::ostream& out, const MeshData& data) {
 }
 
 bool looks_like_vtp(std::string_view bytes) {
-    const std::string_view head = bytes.substr(0, 4096);
-    return head.find("<VTKFile") != std::string_view::npos;
+    const std::string_view head = trimmed(bytes.substr(0, 4096));
+    return head.substr(0, 1) == "<" && head.find("<VTKFile") != std::string_view::npos;
 }
 
 } // namespace fascicle::io

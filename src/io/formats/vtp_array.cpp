@@ -1,19 +1,12 @@
 #include "io/formats/vtp_array.hpp"
 
-#include "io/base64.hpp"
+#include "io/formats/binary_numbers.hpp"
 #include "io/formats/text_scanner.hpp"
 
-#include <bit>
-#include <cstdint>
 #include <optional>
 
 namespace fascicle::io {
 namespace {
-
-struct NumberType {
-    char kind = 0; ///< 'f' floating, 'i' signed, 'u' unsigned
-    std::size_t size = 0;
-};
 
 std::optional<NumberType> number_type(const std::string& name) {
     static constexpr std::pair<std::string_view, NumberType> types[] = {
@@ -26,38 +19,34 @@ std::optional<NumberType> number_type(const std::string& name) {
     return std::nullopt;
 }
 
-std::uint64_t take_bits(std::string_view bytes, std::size_t start, std::size_t size, bool big_endian) {
-    std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < size; ++i)
-        bits = (bits << 8) | static_cast<unsigned char>(bytes[start + (big_endian ? i : size - 1 - i)]);
-    return bits;
+void add_numbers(std::string_view bytes, NumberType type, bool big_endian, std::vector<double>& values) {
+    for (std::size_t i = 0; i < bytes.size(); i += type.size)
+        values.push_back(to_number(take_bits(bytes, i, type.size, big_endian), type));
 }
 
-double to_number(std::uint64_t bits, const NumberType& type) {
-    if (type.kind == 'f')
-        return type.size == 4 ? static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)))
-                              : std::bit_cast<double>(bits);
-    if (type.kind == 'u')
-        return static_cast<double>(bits);
-    const std::uint64_t sign = std::uint64_t{1} << (8 * type.size - 1);
-    return static_cast<double>(static_cast<std::int64_t>((bits ^ sign) - sign));
+void read_appended(const XmlReader& xml, VtpEncoding& encoding, NumberType type,
+                   std::vector<double>& values) {
+    const std::string text = xml.attribute("offset");
+    long long offset = 0;
+    if (to_integer(trimmed(text), offset) != NumberCheck::ok || offset < 0)
+        xml.fail("offset is " + shown(text), "a place in the appended data");
+    if (!encoding.has_appended)
+        xml.fail("data appended to the file, which has none", "<AppendedData>");
+    if (static_cast<unsigned long long>(offset) > encoding.appended.size())
+        xml.fail("offset is " + shown(text),
+                 "at most " + std::to_string(encoding.appended.size()) + ", the size of the appended data");
+    VtpByteSource source(encoding.appended.substr(static_cast<std::size_t>(offset)),
+                         encoding.appended_is_base64);
+    read_vtp_data(xml, source, encoding, type.size,
+                  [&](std::string_view bytes) { add_numbers(bytes, type, encoding.big_endian, values); });
 }
 
-void read_base64(const XmlReader& xml, std::string_view text, const VtpEncoding& encoding,
-                 const NumberType& type, std::vector<double>& values) {
-    std::string bytes;
-    if (!decode_base64(text, bytes))
-        xml.fail("bad base64 data", "letters, digits, + and / in groups of four");
-    if (bytes.size() < encoding.header_bytes)
-        xml.fail("binary data without a length",
-                 "a header of " + std::to_string(encoding.header_bytes) + " bytes");
-    const std::uint64_t length = take_bits(bytes, 0, encoding.header_bytes, encoding.big_endian);
-    if (length != bytes.size() - encoding.header_bytes || length % type.size != 0)
-        xml.fail("binary data of " + std::to_string(bytes.size() - encoding.header_bytes) + " bytes",
-                 std::to_string(length) + ", as their header says, in whole numbers");
-    values.reserve(static_cast<std::size_t>(length) / type.size);
-    for (std::size_t i = encoding.header_bytes; i < bytes.size(); i += type.size)
-        values.push_back(to_number(take_bits(bytes, i, type.size, encoding.big_endian), type));
+void read_inline(const XmlReader& xml, VtpEncoding& encoding, NumberType type, std::vector<double>& values) {
+    VtpByteSource source(xml.text(), true);
+    read_vtp_data(xml, source, encoding, type.size,
+                  [&](std::string_view bytes) { add_numbers(bytes, type, encoding.big_endian, values); });
+    if (!source.at_end())
+        xml.fail("more binary data than their header says", "</DataArray>");
 }
 
 } // namespace
@@ -66,7 +55,7 @@ bool is_number_array(const XmlReader& xml) {
     return number_type(xml.attribute("type")).has_value();
 }
 
-NamedArray read_vtp_array(XmlReader& xml, const VtpEncoding& encoding) {
+NamedArray read_vtp_array(XmlReader& xml, VtpEncoding& encoding) {
     NamedArray array;
     array.name = xml.attribute("Name");
     const auto type = number_type(xml.attribute("type"));
@@ -80,11 +69,10 @@ NamedArray read_vtp_array(XmlReader& xml, const VtpEncoding& encoding) {
     }
     const std::string format = xml.attribute("format");
     const bool ascii = format == "ascii" || format.empty();
-    if (format == "appended" || (!ascii && encoding.compressed))
-        xml.fail(format == "appended" ? "data appended to the file" : "compressed data",
-                 "data saved as ascii, or as binary without compression");
-    if (!ascii && format != "binary")
-        xml.fail("data format " + shown(format), "ascii or binary");
+    if (!ascii && format != "binary" && format != "appended")
+        xml.fail("data format " + shown(format), "ascii, binary or appended");
+    if (format == "appended")
+        read_appended(xml, encoding, *type, array.values);
 
     for (;;) {
         const XmlReader::Event event = xml.next();
@@ -94,6 +82,8 @@ NamedArray read_vtp_array(XmlReader& xml, const VtpEncoding& encoding) {
             xml.skip_element(); // <InformationKey> and the like
         } else if (event == XmlReader::Event::finished) {
             xml.fail("the file ends too early", "</DataArray>");
+        } else if (format == "appended") {
+            xml.fail("text in an array whose data are appended", "</DataArray>");
         } else if (ascii) {
             TextScanner words(xml.text(), {});
             for (std::string_view word = words.next_word(); !word.empty(); word = words.next_word()) {
@@ -103,7 +93,7 @@ NamedArray read_vtp_array(XmlReader& xml, const VtpEncoding& encoding) {
                 array.values.push_back(value);
             }
         } else {
-            read_base64(xml, xml.text(), encoding, *type, array.values);
+            read_inline(xml, encoding, *type, array.values);
         }
     }
 }

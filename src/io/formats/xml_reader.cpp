@@ -136,7 +136,8 @@ XmlReader::Event XmlReader::next() {
         } else if (rest.substr(0, 2) == "<?") {
             skip_past("?>", "a declaration");
         } else if (rest.substr(0, 2) == "<!") {
-            skip_past(">", "a declaration");
+            fail("a document type, entities or unparsed text: " + shown(rest.substr(0, 20)),
+                 "elements, text and comments");
         } else if (rest.substr(0, 2) == "</") {
             position_ += 2;
             name_ = read_name();

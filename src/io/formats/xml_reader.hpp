@@ -1,5 +1,6 @@
 #pragma once
-// A small pull parser for the XML of scientific files: elements, attributes, text. No DTD, no namespaces.
+// A small pull parser for the XML of scientific files: elements, attributes, text. No namespaces, and no DTD: a file with one
+// is refused, so that no entity is ever expanded.
 
 #include <map>
 #include <string>
@@ -30,6 +31,8 @@ public:
     std::string_view text() const { return text_; }
     /// Where the last event starts.
     std::size_t position() const { return event_start_; }
+    /// Where reading goes on.
+    std::size_t after() const { return position_; }
     /// Passes over everything up to the end of the element that has just started.
     void skip_element();
 

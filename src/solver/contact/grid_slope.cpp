@@ -44,12 +44,12 @@ double largest_slope(const DistanceGrid& grid, int threads) {
         return 1.0;
     const float* values = grid.values().data();
     const auto row = static_cast<std::size_t>(nx), layer = row * static_cast<std::size_t>(ny);
-    const auto layers = static_cast<std::size_t>(nz - 1);
+    const auto layers = static_cast<std::size_t>(nz - 1), rows = static_cast<std::size_t>(ny - 1);
     std::vector<float> largest(layers, 0.0f); // squared, per layer of cells
     parallel_for(threads, layers, 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             float most = 0.0f;
-            for (std::size_t j = 0; j + 1 < static_cast<std::size_t>(ny); ++j) {
+            for (std::size_t j = 0; j < rows; ++j) {
                 const float* a = values + layer * k + row * j;
                 most = std::max(most, steepest_cell(a, a + row, a + layer, a + layer + row, row));
             }

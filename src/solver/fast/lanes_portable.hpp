@@ -57,19 +57,19 @@ struct LanesPortable {
     }
     /// From records to x, y, z, w and back.
     static void transpose(V r[4]) {
-        const V t0 = __builtin_shuffle(r[0], r[1], I{0, 4, 1, 5}),
-                t1 = __builtin_shuffle(r[2], r[3], I{0, 4, 1, 5});
-        const V t2 = __builtin_shuffle(r[0], r[1], I{2, 6, 3, 7}),
-                t3 = __builtin_shuffle(r[2], r[3], I{2, 6, 3, 7});
-        r[0] = __builtin_shuffle(t0, t1, I{0, 1, 4, 5});
-        r[1] = __builtin_shuffle(t0, t1, I{2, 3, 6, 7});
-        r[2] = __builtin_shuffle(t2, t3, I{0, 1, 4, 5});
-        r[3] = __builtin_shuffle(t2, t3, I{2, 3, 6, 7});
+        const V t0 = __builtin_shufflevector(r[0], r[1], 0, 4, 1, 5),
+                t1 = __builtin_shufflevector(r[2], r[3], 0, 4, 1, 5);
+        const V t2 = __builtin_shufflevector(r[0], r[1], 2, 6, 3, 7),
+                t3 = __builtin_shufflevector(r[2], r[3], 2, 6, 3, 7);
+        r[0] = __builtin_shufflevector(t0, t1, 0, 1, 4, 5);
+        r[1] = __builtin_shufflevector(t0, t1, 2, 3, 6, 7);
+        r[2] = __builtin_shufflevector(t2, t3, 0, 1, 4, 5);
+        r[3] = __builtin_shufflevector(t2, t3, 2, 3, 6, 7);
     }
     /// Element K of every record, in all four places of that record.
     template <int K>
     static V spread(V a) {
-        return __builtin_shuffle(a, I{K, K, K, K});
+        return __builtin_shufflevector(a, a, K, K, K, K);
     }
     /// The fourth place of every record set to zero.
     static V without_w(V a) { return V{a[0], a[1], a[2], 0.0f}; }

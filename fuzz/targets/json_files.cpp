@@ -1,0 +1,74 @@
+// Small files in JSON.
+
+#include "fascicle/io/fibre_template_file.hpp"
+#include "fascicle/io/lesson_file.hpp"
+#include "fascicle/io/preset_file.hpp"
+#include "fascicle/io/recent_projects.hpp"
+#include "fascicle/io/settings_file.hpp"
+#include "fascicle/solver/parameters.hpp"
+#include "fuzz/check.hpp"
+#include "fuzz/targets.hpp"
+
+#include <cmath>
+
+namespace fascicle::fuzz {
+
+void fuzz_fibre_template(std::string_view bytes) {
+    FibreTemplate read;
+    if (!reads("fuzz.json", [&] { read = parse_fibre_template(bytes, "fuzz.json"); }))
+        return;
+    FUZZ_CHECK(!read.key.empty() && read.front.size() >= 2);
+    for (const double r : {0.0, 0.5, 1.0})
+        for (const double s : {0.0, 0.3, 1.0})
+            for (const double t : {0.0, 0.5, 1.0}) {
+                const Vec3 p = read.point(r, s, t);
+                FUZZ_CHECK(p.allFinite() && p.minCoeff() >= -1e-9 && p.maxCoeff() <= 1 + 1e-9);
+            }
+}
+
+void fuzz_preset(std::string_view bytes) {
+    Preset read;
+    if (!reads("fuzz.json", [&] { read = parse_preset(bytes, "fuzz.json"); }))
+        return;
+    static const ParamSet defaults = default_parameters();
+    FUZZ_CHECK(!read.key.empty() && !read.values.empty());
+    ParamSet applied = defaults;
+    apply_preset(read, applied);
+    preset_changes(read, defaults);
+    const Preset back = parse_preset(preset_text(read), "written.json");
+    FUZZ_CHECK(back.key == read.key && back.label == read.label && back.meaning == read.meaning);
+    ParamSet again = defaults;
+    apply_preset(back, again);
+    FUZZ_CHECK(again == applied);
+}
+
+void fuzz_lesson(std::string_view bytes) {
+    reads("fuzz.json", [&] {
+        const Lesson lesson = parse_lesson(bytes, "fuzz.json");
+        FUZZ_CHECK(!lesson.title.empty() && !lesson.steps.empty() && lesson.minutes >= 1);
+        for (const LessonStep& step : lesson.steps)
+            FUZZ_CHECK(!step.title.empty() && step.task.empty() == step.checks.empty());
+    });
+}
+
+void fuzz_settings(std::string_view bytes) {
+    reads("fuzz.json", [&] {
+        for (const auto& [key, value] : parse_settings(bytes, "fuzz.json"))
+            FUZZ_CHECK(!std::holds_alternative<double>(value) || std::isfinite(std::get<double>(value)));
+        std::vector<std::string> bad;
+        const auto lists = parse_text_lists(bytes, "fuzz.json", bad);
+        for (const std::string& key : bad)
+            FUZZ_CHECK(lists.at(key).empty());
+    });
+}
+
+void fuzz_recent_projects(std::string_view bytes) {
+    reads("fuzz.json", [&] {
+        const auto projects = parse_recent_projects(bytes, "fuzz.json");
+        FUZZ_CHECK(projects.size() <= recent_projects_kept);
+        for (const RecentProject& project : projects)
+            FUZZ_CHECK(!project.path.empty());
+    });
+}
+
+} // namespace fascicle::fuzz

@@ -1,0 +1,147 @@
+// Mesh files, and what is read from them.
+
+#include "fascicle/geometry/bounding_box.hpp"
+#include "fascicle/geometry/mesh_check.hpp"
+#include "fascicle/io/area_file.hpp"
+#include "fascicle/io/load_scene.hpp"
+#include "fascicle/io/mesh_file.hpp"
+#include "fascicle/io/mesh_hints.hpp"
+#include "fuzz/check.hpp"
+#include "fuzz/targets.hpp"
+#include "io/formats/xml_reader.hpp"
+
+#include <cmath>
+#include <cstring>
+#include <sstream>
+
+namespace fascicle::fuzz {
+namespace {
+
+/// What repair, checks and the editor count on.
+void check_mending(const TriMesh& mesh) {
+    const MendedMesh mended = mend(mesh);
+    FUZZ_CHECK(mended.report.usable());
+    FUZZ_CHECK(mended.mesh.vertex_count() == mesh.vertex_count());
+    FUZZ_CHECK(mended.mesh.triangle_count() <= mesh.triangle_count());
+    for (const Tri& t : mended.mesh.triangles)
+        for (const int v : t)
+            FUZZ_CHECK(v >= 0 && v < mesh.vertex_count());
+    for (const std::string& line : mended.report.lines())
+        FUZZ_CHECK(!line.empty() && line.find('\n') == std::string::npos);
+    const MeshReport again = check_mesh(mended.mesh);
+    FUZZ_CHECK(again.degenerate_triangles == 0 && again.duplicate_triangles == 0);
+}
+
+const Points& points_of(const MeshData& data) {
+    return data.mesh.positions.empty() ? data.lines.points : data.mesh.positions;
+}
+
+/// False when the format refuses what it cannot hold.
+bool writes(const MeshFormat& format, const MeshData& data, std::string& text) {
+    std::ostringstream out;
+    const bool done = reads({}, [&] { format.write(out, data); });
+    text = std::move(out).str();
+    return done;
+}
+
+bool same_bits(const Points& a, const Points& b) {
+    return a.size() == b.size() &&
+           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec3)) == 0);
+}
+
+/// What we write we can read, and it is the same then: written once more, it gives the same bytes.
+void check_round_trip(const MeshFormat& format, MeshData data) {
+    if (!format.write || points_of(data).empty())
+        return;
+    if (!data.mesh.triangles.empty())
+        data.line_arrays.clear(); // a writer has no place for them beside triangles
+    std::string first, second;
+    if (!writes(format, data, first)) {
+        FUZZ_CHECK(!format.holds.doubles); // no triangle, or none that fits into floats
+        return;
+    }
+    const MeshData back = format.read(first, "written");
+    check_mesh_data(back);
+    if (format.holds.doubles && format.holds.vertex_order)
+        FUZZ_CHECK(same_bits(points_of(back), points_of(data)) && back.mesh.triangles == data.mesh.triangles);
+    if (format.holds.lines && format.holds.long_lines)
+        FUZZ_CHECK(back.lines.lines == data.lines.lines);
+    if (!writes(format, back, second) || first != second)
+        failed("a mesh that is written and read is the same", __FILE__, __LINE__, format.name);
+}
+
+} // namespace
+
+void fuzz_mesh_format(const MeshFormat& format, std::string_view bytes) {
+    const std::string name = "fuzz" + format.extensions.at(0);
+    MeshData data;
+    if (!reads(name, [&] { data = format.read(bytes, name); }))
+        return;
+    check_mesh_data(data);
+    check_mending(data.mesh);
+    if (!data.lines.lines.empty()) {
+        const Polylines joined = joined_lines(data.lines);
+        FUZZ_CHECK(joined.points.size() == data.lines.points.size());
+        for (const std::vector<int>& line : joined.lines)
+            for (const int v : line)
+                FUZZ_CHECK(v >= 0 && static_cast<std::size_t>(v) < joined.points.size());
+    }
+    check_round_trip(format, std::move(data));
+}
+
+void fuzz_mesh_any(std::string_view bytes) {
+    const MeshHints hints = find_mesh_hints(bytes);
+    FUZZ_CHECK(!hints.millimetres || (*hints.millimetres > 0 && std::isfinite(*hints.millimetres)));
+    reads("fuzz.xyz", [&] {
+        const MeshFile file = read_mesh_bytes(bytes, "fuzz.xyz");
+        FUZZ_CHECK(file.report.usable() && !file.format.empty());
+        guess_unit(bounding_box(file.mesh.positions).diagonal());
+    });
+}
+
+void fuzz_area_mesh(std::string_view bytes) {
+    static const Scene scene = [] {
+        Scene made;
+        const TriMesh bone{{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)},
+                           {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+        made.bones = {{"bone", std::make_shared<const TriMesh>(bone), {}}};
+        return made;
+    }();
+    reads("fuzz.vtp", [&] {
+        MeshFile file = read_mesh_bytes(bytes, "fuzz.vtp");
+        MeshData data;
+        data.mesh = std::move(file.mesh);
+        data.point_arrays = std::move(file.point_arrays);
+        Scene marked = scene;
+        marked.muscles.resize(1);
+        marked.muscles[0].name = "m";
+        marked.muscles[0].areas = areas_from_mesh(data, "fuzz.vtp", scene, 0, "m");
+        for (const AttachmentArea& area : marked.muscles[0].areas)
+            FUZZ_CHECK(area.bone == 0 && area.vertices.vertex_count() == 4);
+        const MeshData back = area_mesh(marked, 0, 0);
+        const std::vector<AttachmentArea> again = areas_from_mesh(back, "again", scene, 0, "m");
+        FUZZ_CHECK(again == marked.muscles[0].areas);
+    });
+}
+
+void fuzz_xml(std::string_view bytes) {
+    reads("fuzz.xml", [&] {
+        io::XmlReader xml(bytes, "fuzz.xml");
+        int depth = 0;
+        for (auto event = xml.next(); event != io::XmlReader::Event::finished; event = xml.next()) {
+            if (event == io::XmlReader::Event::start) {
+                FUZZ_CHECK(!xml.name().empty() && ++depth <= 101);
+                if (xml.name() == "skip") {
+                    xml.skip_element();
+                    --depth;
+                }
+            } else if (event == io::XmlReader::Event::end) {
+                FUZZ_CHECK(--depth >= 0);
+            }
+            FUZZ_CHECK(xml.position() <= bytes.size());
+        }
+        FUZZ_CHECK(depth == 0);
+    });
+}
+
+} // namespace fascicle::fuzz
