@@ -96,7 +96,7 @@ TEST_CASE("Random triangles cross as plain arithmetic says", "[repair]") {
     }
 }
 
-TEST_CASE("Crossings of bodies are told; clean ones have none", "[repair]") {
+TEST_CASE("Crossings of bodies are told, and clean ones have none", "[repair]") {
     for (const TriMesh& mesh : {sphere(1, 3), box(1, 2, 3), torus()})
         CHECK(find_crossings(mesh).pairs == 0);
     const RepairResult r = repair(joined(box(2, 2, 2), moved(box(2, 2, 2), Vec3(1, 1, 1))));
