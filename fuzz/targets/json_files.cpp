@@ -5,6 +5,7 @@
 #include "fascicle/io/preset_file.hpp"
 #include "fascicle/io/recent_projects.hpp"
 #include "fascicle/io/settings_file.hpp"
+#include "fascicle/solver/parameters.hpp"
 #include "fuzz/check.hpp"
 #include "fuzz/targets.hpp"
 

@@ -19,8 +19,12 @@ void check_model(const LineModel& model) {
     };
     for (const Coordinate& c : skeleton.coordinates)
         FUZZ_CHECK(std::isfinite(c.default_value));
-    for (const Joint& joint : skeleton.joints)
+    for (const Joint& joint : skeleton.joints) {
         FUZZ_CHECK(is_body(joint.parent) && is_body(joint.child));
+        for (const auto* axes : {&joint.rotations, &joint.translations})
+            for (const JointAxis& axis : *axes)
+                FUZZ_CHECK(std::abs(axis.axis.norm() - 1) < 1e-9);
+    }
     for (const CoordinateCoupler& coupler : skeleton.couplers)
         FUZZ_CHECK(is_coordinate(coupler.dependent));
     for (const WrapObject& object : model.wrap_objects)

@@ -73,6 +73,8 @@ std::vector<AttachmentOutline> read_attachments(std::string_view bytes, const st
         Vec3 p;
         for (int k = 0; k < 3; ++k)
             p[k] = columns.scale * csv.number(columns.xyz[k]);
+        if (!p.allFinite())
+            csv.fail("the point overflows", "smaller coordinates");
         const std::string head = columns.head >= 0 ? csv.cell(columns.head) : std::string();
         const std::string loop = columns.loop >= 0 ? csv.cell(columns.loop) : std::string();
         bool hole = false;

@@ -17,7 +17,9 @@ void CsvWriter::separate() {
 
 CsvWriter& CsvWriter::text(std::string_view cell) {
     separate();
-    if (cell.find_first_of(",\"\r\n") == std::string_view::npos) {
+    // Blanks at the ends would be taken off a cell without quotes; separators of other tables are better kept apart, too.
+    if (cell.find_first_of(",;\t\"\r\n") == std::string_view::npos &&
+        io::trimmed(cell).size() == cell.size()) {
         out_ << cell;
         return *this;
     }
@@ -54,8 +56,17 @@ CsvReader::CsvReader(std::string_view bytes, std::string file) : bytes_(bytes), 
     const std::size_t start = bytes_.find_first_not_of(" \t\r\n", position_);
     if (start == std::string_view::npos)
         throw_error(file_, "the file is empty", "a header row with column names");
-    const std::string_view header = bytes_.substr(start, bytes_.find_first_of("\r\n", start) - start);
-    const auto count = [&](char c) { return std::count(header.begin(), header.end(), c); };
+    const auto count = [&](char c) { // in the header, outside of quotes
+        std::size_t found = 0;
+        bool quoted = false;
+        for (std::size_t i = start; i < bytes_.size(); ++i) {
+            quoted = quoted != (bytes_[i] == '"');
+            if (!quoted && (bytes_[i] == '\n' || bytes_[i] == '\r'))
+                break;
+            found += !quoted && bytes_[i] == c ? 1 : 0;
+        }
+        return found;
+    };
     for (const char c : {';', '\t'})
         if (count(c) > count(separator_))
             separator_ = c;

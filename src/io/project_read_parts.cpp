@@ -109,7 +109,7 @@ void ProjectReader::timeline(const JsonFields& entry, Scene& scene) {
     if (entry.has("hinge")) {
         const JsonFields hinge = entry.object("hinge");
         timeline.hinge = Hinge{hinge.vector("centre"), hinge.vector("axis")};
-        if (!(timeline.hinge->axis.stableNorm() > 0))
+        if (const double length = timeline.hinge->axis.norm(); !(length > 0 && std::isfinite(length)))
             hinge.fail("axis", "has no direction", "an axis other than 0,0,0");
     }
     read_keys(entry.objects("angles"), timeline.angles,

@@ -22,6 +22,12 @@ fs::path normal(const fs::path& path) {
     return (error ? path : full).lexically_normal();
 }
 
+std::int64_t seconds_of(const io::JsonFields& entry) {
+    constexpr double most =
+        1e15; // 30 million years; what is beyond cannot be a time, nor always be converted
+    return static_cast<std::int64_t>(std::clamp(entry.number("time", 0), -most, most));
+}
+
 void write_list(const fs::path& user_folder, const std::vector<RecentProject>& projects) {
     io::Json list = io::Json::array();
     for (const RecentProject& p : projects)
@@ -58,8 +64,7 @@ std::vector<RecentProject> parse_recent_projects(std::string_view text, const st
     const io::Json json = io::parse_json_object(text, file);
     for (const io::JsonFields& entry : io::JsonFields(json, file, "").objects("recent"))
         if (const std::string path = entry.text("path"); !path.empty())
-            projects.push_back(
-                {path, entry.text("name"), static_cast<std::int64_t>(entry.number("time", 0))});
+            projects.push_back({path, entry.text("name"), seconds_of(entry)});
     projects.resize(std::min(projects.size(), recent_projects_kept));
     return projects;
 }

@@ -36,6 +36,12 @@ int row_frame(const CsvReader& csv, int column) {
     return static_cast<int>(value);
 }
 
+/// Error unless the table may have so many rows: nothing is made for frames that are only said to be there.
+void require_rows(const fs::path& path, std::string_view bytes, std::size_t rows, std::size_t row_bytes) {
+    if (rows > bytes.size() / row_bytes + 1)
+        throw_error(path.string(), "the table ends too early", std::to_string(rows) + " rows");
+}
+
 } // namespace
 
 bool is_run_folder(const fs::path& path) {
@@ -53,8 +59,8 @@ RunFiles RunFiles::on_disk() {
 
 RunReader::RunReader(fs::path folder, RunFiles files) : folder_(std::move(folder)), files_(std::move(files)) {
     read_summary();
-    read_motion();
     read_angles();
+    read_motion();
     read_rest();
 }
 
@@ -97,14 +103,20 @@ void RunReader::read_summary() {
     if (summary.has("hinge")) {
         const io::JsonFields hinge = summary.object("hinge");
         scene->timeline.hinge = Hinge{hinge.vector("centre"), hinge.vector("axis")};
+        if (const double length = scene->timeline.hinge->axis.norm(); !(length > 0 && std::isfinite(length)))
+            hinge.fail("axis", "has no direction", "an axis other than 0,0,0");
     }
     if (summary.has("parameters"))
         for (const auto& [key, value] : summary.object("parameters").json().items())
             if (scene->parameters.table().find(key) != nullptr) {
-                if (value.is_string())
-                    scene->parameters.set_text(key, value.get<std::string>());
-                else if (value.is_number())
-                    scene->parameters.set(key, value.get<double>());
+                try {
+                    if (value.is_string())
+                        scene->parameters.set_text(key, value.get<std::string>());
+                    else if (value.is_number())
+                        scene->parameters.set(key, value.get<double>());
+                } catch (const Error& error) {
+                    throw_error(file + ", parameters", error.what());
+                }
             }
     scene->timeline.last_frame = frames_.back();
     if (const auto notes = json.find("notes"); notes != json.end() && notes->is_array())
@@ -122,9 +134,11 @@ void RunReader::read_motion() {
         throw_error(folder_.string(),
                     std::to_string(count) + " frames of " + std::to_string(scene_->bones.size()) + " bones",
                     "at most 20 million poses");
-    poses_.assign(count, std::vector<Pose>(scene_->bones.size()));
     const fs::path path = folder_ / "motion.csv";
     const std::string bytes = files_.read(path);
+    require_rows(path, bytes, count * scene_->bones.size(),
+                 28); // "0,a,1,0,0,0,0,1,0,0,0,0,1,0" and a line end
+    poses_.assign(count, std::vector<Pose>(scene_->bones.size()));
     CsvReader csv(bytes, path.string());
     const int frame_column = csv.column("frame"), bone_column = csv.column("bone");
     int m[3][4];
@@ -153,10 +167,12 @@ void RunReader::read_motion() {
 }
 
 void RunReader::read_angles() {
-    angles_.assign(poses_.size(), 0.0);
-    solve_seconds_.assign(poses_.size(), 0.0);
+    const auto count = static_cast<std::size_t>(frames_.back()) + 1;
     const fs::path path = folder_ / "metrics.csv";
     const std::string bytes = files_.read(path);
+    require_rows(path, bytes, count, 4); // "0,0" and a line end
+    angles_.assign(count, 0.0);
+    solve_seconds_.assign(count, 0.0);
     CsvReader csv(bytes, path.string());
     const int frame_column = csv.column("frame"), angle_column = csv.column("angle_deg"),
               time_column = csv.column("solve_ms"); // of tables that have it

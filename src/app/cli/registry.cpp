@@ -20,6 +20,10 @@ const std::vector<Command>& commands() {
          "  fascicle simulate --scene hip --export vtp,png,glb --out out/hip\n"
          "  fascicle simulate --muscle gluteus.vtk --bone pelvis.obj --moving-bone femur.vtk\n"
          "      --hinge \"143.86,243.37,-432.53;1,0,0\" --angle-deg -57.3 --out out/flexion\n"
+         "  fascicle simulate --osim gait.osim --motion walk.mot --muscle glut_max1_r --out out/walk\n"
+         "  fascicle simulate --osim hip.osim --motion flexion.mot --bone pelvis.obj=pelvis --bone "
+         "femur.vtk=femur_r\n"
+         "      --muscle gluteus.vtk=pelvis,femur_r --out out/hip\n"
          "  fascicle simulate --project my.fascicle --method classic --set solver.stiffness=0.8 --out out/my",
          add_simulate},
         {"fibres", "Decompose muscles into fibres at rest",

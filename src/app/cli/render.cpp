@@ -158,8 +158,8 @@ int render(const RenderOptions& options) {
         throw_error(options.transparent ? "--transparent" : "--frames", "cannot go with --ui",
                     "one of the two", ErrorKind::usage);
     const output::PictureOptions picture = picture_options(options);
-    if (options.frames.empty() || FilmOptions{{}, options.fps, options.transparent, options.out}.kind() !=
-                                      output::ExportKind::pictures)
+    if (options.frames.empty() ||
+        FilmOptions{{}, options.fps, options.transparent, options.out}.kind() != "frames")
         check_output_file(options.out, options.run, options.source, options.solve);
     watch_interrupts(); // what is being written is finished, or not begun
     if (!options.frames.empty())

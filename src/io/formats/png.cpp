@@ -4,6 +4,7 @@
 #include "fascicle/base/error.hpp"
 #include "fascicle/io/files.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <string>
 
@@ -26,8 +27,17 @@ namespace fascicle {
 
 namespace {
 
-// Deflate packs at most 1032 bytes into one, and a PNG pixel has at least one bit.
-constexpr double most_pixels_per_byte = 1032.0 * 8.0;
+// Deflate packs at most 1032 bytes into one.
+constexpr double most_inflated = 1032.0;
+
+/// Bits of a pixel, as the header says that stands at the beginning of every PNG; at least 1.
+int bits_per_pixel(std::string_view bytes) {
+    constexpr std::size_t depth_at = 24, kind_at = 25;
+    const int depth = static_cast<unsigned char>(bytes[depth_at]),
+              kind = static_cast<unsigned char>(bytes[kind_at]);
+    const int channels = kind == 2 ? 3 : kind == 4 ? 2 : kind == 6 ? 4 : 1;
+    return std::max(1, depth * channels);
+}
 
 void append(void* bytes, void* data, int size) {
     static_cast<std::string*>(bytes)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
@@ -83,13 +93,16 @@ PngImage decode_png(std::string_view bytes, const std::string& name) {
         throw_error(name, "the picture has more than 1 GB", "a PNG file of at most 1 GB");
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const int size = static_cast<int>(bytes.size());
+    if (bytes.substr(0, 26).size() < 26 || bytes.substr(12, 4) != "IHDR") // first, as the standard wants it
+        throw_error(name, "not a PNG picture", "a PNG file of at most 32768 pixels a side");
     PngImage image;
     int channels = 0;
     if (stbi_info_from_memory(data, size, &image.width, &image.height, &channels) == 0)
         throw_error(name, std::string("not a PNG picture (") + stbi_failure_reason() + ")",
                     "a PNG file of at most 32768 pixels a side");
     const double pixels = static_cast<double>(image.width) * image.height;
-    if (pixels > 500e6 || pixels > most_pixels_per_byte * static_cast<double>(bytes.size()))
+    if (pixels > 500e6 ||
+        pixels * bits_per_pixel(bytes) > 8 * most_inflated * static_cast<double>(bytes.size()))
         throw_error(name, "claims " + std::to_string(image.width) + "x" + std::to_string(image.height) +
                               " pixels, more than its " + std::to_string(bytes.size()) + " bytes can hold");
     const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(

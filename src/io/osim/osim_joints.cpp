@@ -5,6 +5,7 @@
 #include "io/osim/osim_reader.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fascicle::io {
 namespace {
@@ -114,7 +115,7 @@ void OsimReader::read_spatial_transform(pugi::xml_node node, Joint& joint) {
         if (slot >= 6)
             document_.fail(axis, "a seventh axis", "three rotations and three translations");
         const Vec3 along = document_.vector(axis, "axis", axes[slot].axis);
-        if (!(along.norm() > 0))
+        if (const double length = along.norm(); !(length > 0 && std::isfinite(length)))
             document_.fail(axis, "the axis has no direction", "an axis other than 0 0 0");
         axes[slot] = {along.normalized(), read_function(axis, coordinates_named(axis.child("coordinates")))};
     }
