@@ -59,7 +59,7 @@ void write(const std::string& what, const fs::path& run, const fs::path& folder)
         for (const output::ExportKindRow& row : output::export_kinds())
             if (what == row.key && !row.traits.draws) {
                 request.kind = row.key;
-                request.target = with_extension(folder / "export", row.key);
+                request.target = output::with_extension(folder / "export", row.key);
                 return output::export_data(request, *recording, {});
             }
         throw_error(what, "is nothing that can be written here");
