@@ -61,17 +61,6 @@ void require_file_names(const Scene& scene) {
         add(muscle.name);
 }
 
-void refuse_inputs(const std::vector<fs::path>& files, const Scene& scene) {
-    std::set<fs::path> outputs;
-    for (const fs::path& file : files)
-        outputs.insert(resolved(file));
-    for_each_input(scene, {}, [&](const MeshSource& source) {
-        if (outputs.count(resolved(source.path)) > 0)
-            throw_error(resolved(source.path).string(), "the output would replace this input",
-                        "another output folder", ErrorKind::usage);
-    });
-}
-
 const fs::path& without_inputs(const fs::path& folder, const Scene& scene,
                                const std::vector<fs::path>& more_inputs) {
     require_file_names(scene);

@@ -118,6 +118,14 @@ std::string estimate_cache(const ExportPlan& plan) {
            bytes_text(points * (90 + 12 * plan.frames));
 }
 
+/// A moving point takes about 1,800 bytes.
+std::string estimate_osim(const ExportPlan& plan) {
+    const auto files = static_cast<int>(plan.scene.bones.size()) + 4;
+    const double bones = vertices_of(plan.scene, true) - vertices_of(plan.scene, false);
+    return count_text(files, "file", "files") + ", about " +
+           bytes_text(fibre_sets(plan).first * 1800 + bones * 160);
+}
+
 std::string estimate_metrics(const ExportPlan& plan) {
     const double rows = frame_count(plan) * double(plan.scene.muscles.size());
     return "1 table of " + count_text(static_cast<int>(rows), "row", "rows") + ", about " +

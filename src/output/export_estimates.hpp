@@ -16,6 +16,7 @@ std::string estimate_glb(const ExportPlan& plan);
 std::string estimate_usda(const ExportPlan& plan);
 std::string estimate_obj(const ExportPlan& plan);
 std::string estimate_cache(const ExportPlan& plan);
+std::string estimate_osim(const ExportPlan& plan);
 std::string estimate_json(const ExportPlan& plan);
 std::string estimate_metrics(const ExportPlan& plan);
 std::string estimate_run(const ExportPlan& plan);

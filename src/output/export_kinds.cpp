@@ -1,6 +1,7 @@
 #include "output/export_kinds.hpp"
 
 #include "fascicle/base/assert.hpp"
+#include "fascicle/io/osim_export.hpp"
 #include "output/animation_export.hpp"
 #include "output/export_estimates.hpp"
 #include "output/export_writers.hpp"
@@ -13,7 +14,7 @@ namespace fascicle::output {
 namespace fs = std::filesystem;
 
 std::span<const ExportKindRow> export_kinds() {
-    static constexpr std::array<ExportKindRow, 16> rows{{
+    static constexpr std::array<ExportKindRow, 17> rows{{
         {"picture",
          "Picture",
          "The shown frame as a PNG, sharper than the screen if you like.",
@@ -128,6 +129,18 @@ std::span<const ExportKindRow> export_kinds() {
          {.frames = true, .folder = true, .up = true},
          estimate_cache,
          write_animation},
+        {"osim",
+         "OpenSim model",
+         "Every fibre as a muscle of an OpenSim model, with the bones, the motion and a report of how near "
+         "it is "
+         "to the run.",
+         ".osim",
+         "\xEF\x83\x81",
+         "",
+         {.up = true},
+         estimate_osim,
+         write_osim,
+         reason_against_osim},
         {"metrics",
          "Numbers (CSV)",
          "Every measured quantity, a row per frame and muscle. What was run is in a .json beside it.",

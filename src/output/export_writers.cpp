@@ -7,6 +7,7 @@
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/mesh_file.hpp"
 #include "fascicle/io/metrics_json.hpp"
+#include "fascicle/io/osim_export.hpp"
 #include "fascicle/io/output_folder.hpp"
 #include "fascicle/io/run_writer.hpp"
 #include "fascicle/io/series_file.hpp"
@@ -227,6 +228,17 @@ void write_fibres(const ExportRequest& request, const Recording& recording, cons
     }
     write_fibre_table(files.place() / "fibres.csv", present);
     files.commit(scene);
+}
+
+void write_osim(const ExportRequest& request, const Recording& recording, const JobControl& control) {
+    OsimExportOptions options;
+    options.axes = request.up == 'z' ? AxisMapping::lps_to_opensim : AxisMapping::as_is;
+    options.threads = request.threads;
+    const OsimExportReport report = export_osim(request.target, recording, options, control);
+    if (request.told == nullptr)
+        return;
+    request.told->push_back(report.model.filename().string() + ": " + report.summary);
+    request.told->insert(request.told->end(), report.notes.begin(), report.notes.end());
 }
 
 std::string reason_against_fibres(const Recording& recording) {

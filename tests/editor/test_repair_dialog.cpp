@@ -89,7 +89,7 @@ TEST_CASE("The selected muscle is repaired in one step, attachments go with it",
     CHECK(muscle.attachments[1].vertices.size() == 3);
     for (const int v : muscle.attachments[0].vertices)
         CHECK(v < 16);
-    CHECK(d.editor().log().entries().back().text.find("8 vertices in place of 6") != std::string::npos);
+    CHECK(d.editor().log().messages().back().text.find("8 vertices in place of 6") != std::string::npos);
     d.key(key_z, {.ctrl = true});
     CHECK(d.document().scene().muscles[0].mesh == before);
     CHECK(d.document().scene().muscles[0].attachments[0].vertices.size() == 4);

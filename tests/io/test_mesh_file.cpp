@@ -89,6 +89,8 @@ TEST_CASE("what a format cannot hold is dropped and said", "[io][mesh_file]") {
         {"VTK XML", {array_of_lines}},
         {"PLY", {"lines are written as edges of two points", array_of_lines}},
         {"OBJ", {"arrays of points, which OBJ cannot hold here: depth, RGB", array_of_lines}},
+        {"glTF 2.0", {"cannot hold here: depth, RGB", array_of_lines, "rounded to float"}},
+        {"USD text", {"cannot hold here: depth, RGB", array_of_lines, "rounded to float"}},
         {"OFF", {"2 lines, which OFF cannot hold", "cannot hold here: depth", array_of_lines}},
         {"STL",
          {"2 lines", "depth, RGB", array_of_lines, "the 8 vertices come back in the order",

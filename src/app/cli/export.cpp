@@ -8,6 +8,7 @@
 #include "fascicle/base/interrupt.hpp"
 #include "fascicle/base/parallel.hpp"
 #include "fascicle/base/suggest.hpp"
+#include "fascicle/base/text.hpp"
 #include "fascicle/io/run_reader.hpp"
 #include "output/animation_export.hpp"
 
@@ -107,6 +108,7 @@ int run(const ExportCommand& command) {
     request.morph_targets = command.options.morph_targets;
     request.up = command.options.up.empty() ? 'z' : command.options.up[0];
     request.threads = hardware_threads();
+    std::vector<std::string> told;
     ProgressDisplay progress = ProgressDisplay::for_user(command.quiet);
     if (is_run_folder(command.in)) {
         const RecordingPtr recording = RunReader(command.in).read_recording();
@@ -114,7 +116,7 @@ int run(const ExportCommand& command) {
         if (row.reason_against != nullptr)
             if (const std::string reason = row.reason_against(*recording); !reason.empty())
                 throw_error(command.in, reason);
-        write_export(request, recording, progress);
+        told = write_export(request, recording, progress);
     } else {
         if (find_animation_format(row.key) == nullptr)
             throw_error(command.in, "'" + std::string(row.key) + "' needs a run",
@@ -138,6 +140,9 @@ int run(const ExportCommand& command) {
         }
         progress.finish();
     }
+    for (const std::string& sentence : told)
+        if (!command.quiet)
+            std::cout << one_line(sentence) << '\n';
     if (!command.quiet)
         std::cout << "written to " << request.target.string() << '\n';
     return 0;

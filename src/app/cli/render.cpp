@@ -159,7 +159,7 @@ int render(const RenderOptions& options) {
                     "one of the two", ErrorKind::usage);
     const output::PictureOptions picture = picture_options(options);
     if (options.frames.empty() ||
-        FilmOptions{{}, options.fps, options.transparent, options.out}.kind() != "pictures")
+        FilmOptions{{}, options.fps, options.transparent, options.out}.kind() != "frames")
         check_output_file(options.out, options.run, options.source, options.solve);
     watch_interrupts(); // what is being written is finished, or not begun
     if (!options.frames.empty())

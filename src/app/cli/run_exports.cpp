@@ -28,7 +28,6 @@ std::vector<std::string> known_keys() {
     std::vector<std::string> keys{"vtp", "csv"};
     if (can_draw)
         keys.emplace_back("png");
-    keys.emplace_back("osim");
     for (const output::ExportKindRow& row : output::export_kinds())
         if (row.in_run != nullptr && (can_draw || !row.traits.draws))
             keys.emplace_back(row.key);
@@ -72,7 +71,6 @@ Exports read_exports(const std::vector<std::string>& lists) {
                             ErrorKind::usage);
             exports.vtp = exports.vtp || word == "vtp";
             exports.png = exports.png || word == "png";
-            exports.osim = exports.osim || word == "osim";
             if (row == nullptr ||
                 std::find(exports.kinds.begin(), exports.kinds.end(), row) != exports.kinds.end())
                 continue;
@@ -84,12 +82,15 @@ Exports read_exports(const std::vector<std::string>& lists) {
     return exports;
 }
 
-void write_export(const output::ExportRequest& request, const RecordingPtr& recording,
-                  ProgressDisplay& progress) {
+std::vector<std::string> write_export(output::ExportRequest request, const RecordingPtr& recording,
+                                      ProgressDisplay& progress) {
 #ifdef FASCICLE_HAS_VIEW
-    if (output::export_kind(request.kind).traits.draws)
-        return write_drawn(request, recording, progress);
+    if (output::export_kind(request.kind).traits.draws) {
+        write_drawn(request, recording, progress);
+        return {};
+    }
 #endif
+    request.told = std::make_shared<std::vector<std::string>>();
     JobControl control;
     control.cancel = &watch_interrupts();
     control.report = [&](std::string_view stage, double fraction) {
@@ -102,10 +103,13 @@ void write_export(const output::ExportRequest& request, const RecordingPtr& reco
         throw_error(request.target.string(), "cancelled, nothing was written");
     }
     progress.finish();
+    return *request.told;
 }
 
-void write_exports(const Exports& exports, const ExportOptions& options, const RecordingPtr& recording,
-                   const std::filesystem::path& folder, int every, int threads, ProgressDisplay& progress) {
+std::vector<std::string> write_exports(const Exports& exports, const ExportOptions& options,
+                                       const RecordingPtr& recording, const std::filesystem::path& folder,
+                                       int every, int threads, ProgressDisplay& progress) {
+    std::vector<std::string> told;
     for (const output::ExportKindRow* row : exports.kinds) {
         output::ExportRequest request;
         request.kind = row->key;
@@ -116,8 +120,10 @@ void write_exports(const Exports& exports, const ExportOptions& options, const R
         request.morph_targets = options.morph_targets;
         request.up = options.up.empty() ? 'z' : options.up[0];
         request.threads = threads;
-        write_export(request, recording, progress);
+        for (std::string& sentence : write_export(request, recording, progress))
+            told.push_back(std::move(sentence));
     }
+    return told;
 }
 
 } // namespace fascicle::app

@@ -17,9 +17,8 @@ void add_export_options(CLI::App& app, ExportOptions& options);
 
 /// What `simulate --export KEY,KEY` asks for.
 struct Exports {
-    bool vtp = false;  ///< surfaces of the frames, written while they are solved
-    bool png = false;  ///< four pictures
-    bool osim = false; ///< an OpenSim model of the fibres
+    bool vtp = false; ///< surfaces of the frames, written while they are solved
+    bool png = false; ///< four pictures
     std::vector<const output::ExportKindRow*> kinds;
 };
 /// Error (usage) naming the known keys, and for what this machine or program cannot write.
@@ -28,12 +27,13 @@ Exports read_exports(const std::vector<std::string>& lists);
 std::string export_keys();
 
 /// All kinds into a run's folder, every `every`-th frame and the last. SIGINT and SIGTERM end it with an Error; the export under way leaves
-/// nothing then.
-void write_exports(const Exports& exports, const ExportOptions& options, const RecordingPtr& recording,
-                   const std::filesystem::path& folder, int every, int threads, ProgressDisplay& progress);
+/// nothing then. Returns what there is to say about them.
+std::vector<std::string> write_exports(const Exports& exports, const ExportOptions& options,
+                                       const RecordingPtr& recording, const std::filesystem::path& folder,
+                                       int every, int threads, ProgressDisplay& progress);
 
 /// One export, drawn or not. As above.
-void write_export(const output::ExportRequest& request, const RecordingPtr& recording,
-                  ProgressDisplay& progress);
+std::vector<std::string> write_export(output::ExportRequest request, const RecordingPtr& recording,
+                                      ProgressDisplay& progress);
 
 } // namespace fascicle::app
