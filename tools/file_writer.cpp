@@ -37,9 +37,12 @@ void write(const std::string& what, const fs::path& run, const fs::path& folder)
         add_recent_project(folder, {folder / "my.fascicle", "mine", 1}, picture());
     } else if (what == "autosave") {
         AutosaveFolder copies(folder);
+        Autosave copy;
+        copy.scene = reader.scene();
+        copy.picture = picture();
         try {
             for (int k = 0; k < 2; ++k)
-                copies.write({reader.scene(), {}, {}, picture()});
+                copies.write(copy);
         } catch (const Error&) {
             copies.clear(); // the editor tries again; what it closes with is nothing
             throw;
@@ -59,7 +62,7 @@ void write(const std::string& what, const fs::path& run, const fs::path& folder)
         for (const output::ExportKindRow& row : output::export_kinds())
             if (what == row.key && !row.traits.draws) {
                 request.kind = row.key;
-                request.target = with_extension(folder / "export", row.key);
+                request.target = output::with_extension(folder / "export", row.key);
                 return output::export_data(request, *recording, {});
             }
         throw_error(what, "is nothing that can be written here");

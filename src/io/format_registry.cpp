@@ -62,13 +62,13 @@ const std::vector<MeshFormat>& mesh_formats() {
          io::looks_like_glb,
          io::read_glb_mesh,
          io::write_glb_mesh,
-         {.lines = true, .doubles = false}},
+         {.lines = true, .doubles = false, .metres = true}},
         {"USD text",
          {".usda"},
          io::looks_like_usda,
          io::read_usda_mesh,
          io::write_usda_mesh,
-         {.lines = true, .doubles = false}},
+         {.lines = true, .doubles = false, .metres = true}},
         {"OBJ", {".obj"}, io::looks_like_obj, io::read_obj, io::write_obj, {.lines = true}},
     };
     return formats;

@@ -73,9 +73,11 @@ class ConvertTest(ProgramTest):
         self.assertIn("scaled by 10 to mm (1 unit = 10 mm, as the file says)", text)
         self.assertEqual(self.values("said.obj")["file's unit"], "1 unit = 10 mm")
 
-    def test_gltf_counts_in_metres(self):
-        self.assertIn("--units m", self.check_done("convert", "box.obj", "mm.glb"))
-        self.assertNotIn("--units", self.check_done("convert", "box.obj", "m.glb", "--units", "m").replace("to m", ""))
+    def test_formats_that_are_in_metres_say_so(self):
+        for suffix in ("glb", "usda"):
+            self.assertIn("--units m scales it", self.check_done("convert", "box.obj", f"mm.{suffix}"))
+            self.assertNotIn("--units", self.check_done("convert", "box.obj", f"m.{suffix}", "--units", "m"))
+            self.assertEqual(self.values(f"m.{suffix}")["file's unit"], "1 unit = 1000 mm")
 
     def test_the_input_is_never_overwritten(self):
         (self.folder / "link.obj").symlink_to("box.obj")

@@ -148,8 +148,9 @@ void convert_mesh(const ConvertOptions& options, const std::string& bytes) {
     notes.insert(notes.end(), data.notes.begin(), data.notes.end());
     if (const auto factor = wanted_factor(options, bytes, data, notes))
         scale(data, *factor, options.in);
-    else if (format.extensions.front() == ".glb" && unit_of_file(bytes, data).first != 1000)
-        notes.push_back("glTF counts in metres, and the file does not seem to: --units m scales it");
+    else if (format.holds.metres && unit_of_file(bytes, data).first != 1000)
+        notes.push_back(format.name +
+                        " says metres, which the file does not seem to be in: --units m scales it");
     for (std::string& lost : fit_to_format(data, format))
         notes.push_back(std::move(lost));
     AtomicFile file(options.out);
