@@ -11,6 +11,7 @@
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/format_registry.hpp"
 #include "fascicle/io/load_scene.hpp"
+#include "fascicle/io/mesh_convert.hpp"
 #include "fascicle/io/mesh_file.hpp"
 #include "fascicle/io/unit_guess.hpp"
 
@@ -112,7 +113,6 @@ int repair_file(const RepairCommand& command) {
     report.unit = command.units.empty() ? to_text(guess_length_unit(diagonal).unit) : command.units;
     report.unit_guessed = command.units.empty();
     report.options = options_of(command, report.unit == "m" ? 1000 : 1);
-    report.arrays = static_cast<int>(data.point_arrays.size());
     report.notes = data.notes;
     if (!data.lines.lines.empty())
         report.notes.push_back("polylines are not written");
@@ -125,6 +125,9 @@ int repair_file(const RepairCommand& command) {
     progress.finish();
     if (result.good()) {
         MeshData out = carried(data, result);
+        for (std::string& lost : fit_to_format(out, format_for_writing(command.out)))
+            report.notes.push_back(std::move(lost));
+        report.arrays = static_cast<int>(out.point_arrays.size());
         write_mesh_file(command.out, out);
     }
     if (!command.report.empty())
