@@ -33,7 +33,6 @@ enum class Command {
     quit,
     undo,
     redo,
-    repair_mesh,
     remove_selected,
     deselect,
     play_pause,
@@ -135,6 +134,7 @@ enum class Command {
     compare_blink,
     compare_difference,
     load_run,
+    repair_mesh,
     escape,
 };
 

@@ -2,6 +2,7 @@
 
 #include "fascicle/base/param_table.hpp"
 #include "fascicle/io/files.hpp"
+#include "io/formats/text_scanner.hpp"
 
 #include <algorithm>
 #include <string>
@@ -68,7 +69,7 @@ MeshHints find_mesh_hints(std::string_view bytes) {
     hints.millimetres = unit_of(head);
     if (head.substr(0, 4) == "gltf") // which is in metres
         hints.millimetres = 1000;
-    else if (head.substr(0, 5) == "#usda")
+    else if (io::trimmed(head).substr(0, 5) == "#usda")
         hints.millimetres = metres_of_usd(head);
     return hints;
 }

@@ -4,6 +4,7 @@
 #include "fascicle/base/build_info.hpp"
 #include "fascicle/base/error.hpp"
 #include "fascicle/base/parallel.hpp"
+#include "fascicle/base/text.hpp"
 #include "fascicle/geometry/bounding_box.hpp"
 #include "fascicle/geometry/vertex_normals.hpp"
 #include "fascicle/geometry/volume.hpp"

@@ -47,8 +47,9 @@ struct RunWriter::Impl {
     std::vector<std::vector<NamedArray>> last_arrays;
 
     Impl(const fs::path& where, ScenePtr what, RunOutputOptions how)
-        : target(without_inputs(where, *what)), staged(target), folder(staged.place()), scene(std::move(what)),
-          options(std::move(how)), metrics_file(folder / "metrics.csv"), motion_file(folder / "motion.csv") {}
+        : target(without_inputs(where, *what)), staged(target), folder(staged.place()),
+          scene(std::move(what)), options(std::move(how)), metrics_file(folder / "metrics.csv"),
+          motion_file(folder / "motion.csv") {}
 
     void headers();
     void write_metrics(const std::vector<const FibreSeries*>& series);
@@ -247,7 +248,8 @@ void RunWriter::Impl::commit() {
     std::error_code ignored;
     const bool after_a_run = fs::is_regular_file(target / "summary.json", ignored);
     std::set<fs::path> written;
-    for (fs::recursive_directory_iterator it(folder, ignored), end; !ignored && it != end; it.increment(ignored))
+    for (fs::recursive_directory_iterator it(folder, ignored), end; !ignored && it != end;
+         it.increment(ignored))
         written.insert(it->path().lexically_relative(folder));
     staged.commit(*scene);
     remove_stale(after_a_run, written);

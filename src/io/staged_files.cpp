@@ -170,7 +170,8 @@ void check_no_input(const fs::path& file, const Scene& scene) {
             throw_error(file.string(), "the scene was read from this file", "another name", ErrorKind::usage);
 }
 
-StagedFiles::StagedFiles(fs::path folder, Use use) : folder_(without_slash(folder)), use_(use), made_(folder_) {
+StagedFiles::StagedFiles(fs::path folder, Use use)
+    : folder_(without_slash(folder)), use_(use), made_(folder_) {
     static std::atomic<int> counter{0};
     if (use == Use::alone)
         lock_.emplace(folder_);

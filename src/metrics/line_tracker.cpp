@@ -56,6 +56,13 @@ LineTracker::LineTracker(const Scene& scene)
     set_frame(nullptr);
 }
 
+bool LineTracker::has_bones(std::size_t m) const {
+    const std::vector<PathPoint>& points = lines_->model->muscles[m].points;
+    return trial_ == nullptr || std::all_of(points.begin(), points.end(), [&](const PathPoint& point) {
+               return bone_of_[static_cast<std::size_t>(point.body)] >= 0;
+           });
+}
+
 void LineTracker::find_turning_bodies(const Scene& scene) {
     const std::optional<Hinge>& hinge = scene.timeline.hinge;
     twists_.assign(bone_of_.size(), Twist{});

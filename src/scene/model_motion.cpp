@@ -43,7 +43,7 @@ Pose ModelMotion::body_pose(std::size_t body, int frame, std::span<const Pose> p
 
 const ModelMotion* model_motion_in_force(const Scene& scene) {
     const ModelMotion* motion = scene.model_motion.get();
-    return motion != nullptr && motion->frame_count() == scene.timeline.last_frame + 1 &&
+    return motion != nullptr && scene.timeline.last_frame < motion->frame_count() &&
                    scene.motion_source.path == motion->trial_source.path &&
                    scene.motion_source.hash == motion->trial_source.hash
                ? motion

@@ -6,7 +6,8 @@ import unittest
 import small_scene
 from program import ProgramTest, file_hashes
 
-FORMATS = ("vtk", "vtp", "ply", "stl", "off", "obj")
+FORMATS = ("vtk", "vtp", "ply", "stl", "off", "obj", "glb", "usda")
+FLOATS = {"stl", "glb", "usda"}
 
 
 class ConvertTest(ProgramTest):
@@ -29,9 +30,9 @@ class ConvertTest(ProgramTest):
                 self.assertEqual(values["surface"], "closed")
                 self.assertEqual(values["defects"], "none")
                 self.assertTrue(values["unit"].startswith("mm "))
-                # Without STL on the way nothing changes, to the last bit.
+                # Where no format on the way keeps floats alone, nothing changes, to the last bit.
                 self.check_done("convert", f"b.{b}", "c.obj")
-                if "stl" not in (a, b):
+                if not FLOATS & {a, b}:
                     self.assertEqual((self.folder / "c.obj").read_bytes().strip(), self.normal())
 
     def normal(self):
@@ -71,6 +72,12 @@ class ConvertTest(ProgramTest):
         text = self.check_done("convert", "said.obj", "a.obj", "--units", "mm")
         self.assertIn("scaled by 10 to mm (1 unit = 10 mm, as the file says)", text)
         self.assertEqual(self.values("said.obj")["file's unit"], "1 unit = 10 mm")
+
+    def test_formats_that_are_in_metres_say_so(self):
+        for suffix in ("glb", "usda"):
+            self.assertIn("--units m scales it", self.check_done("convert", "box.obj", f"mm.{suffix}"))
+            self.assertNotIn("--units", self.check_done("convert", "box.obj", f"m.{suffix}", "--units", "m"))
+            self.assertEqual(self.values(f"m.{suffix}")["file's unit"], "1 unit = 1000 mm")
 
     def test_the_input_is_never_overwritten(self):
         (self.folder / "link.obj").symlink_to("box.obj")

@@ -107,6 +107,14 @@ class OsimTest(ProgramTest):
         for name in ("frames/glut.0000.vtp", f"frames/glut.{last:04d}.vtp", "bones/femur_r.vtp"):
             self.assertTrue((self.out / name).is_file(), name)
 
+    def test_info_tells_what_a_model_holds(self):
+        text = self.check_done("info", self.model)
+        for words in ("OpenSim model, version 40000", "coordinates   3", "3 lines", "pelvis, 1 meshes",
+                      "femur_r, 1 meshes; not found: patella.vtp", "tibia_r, 0 meshes; not found: tibia.vtp"):
+            self.assertIn(words, text)
+        self.model.write_text("no model")
+        self.check_error(1, ["leg.osim"], "info", self.model)
+
     def test_a_table_of_poses_works_as_before(self):
         motion = self.folder / "poses.csv"
         motion.write_text("frame,bone,cx,cy,cz,ax,ay,az,angle_deg\n4,femur_r,0,0,0,0,0,1,4\n")

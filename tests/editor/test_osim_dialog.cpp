@@ -44,7 +44,8 @@ void choose(Driver& d, const std::filesystem::path& file) {
 
 void open_dialog(Driver& d) {
     d.frame(3);
-    run_command(d.editor().context(), Command::open_model);
+    EditorContext context = d.editor().context();
+    run_command(context, Command::open_model);
     d.frame(3);
     REQUIRE(d.has("osim/open"));
 }

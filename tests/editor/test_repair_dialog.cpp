@@ -54,7 +54,8 @@ void open(Driver& d) {
     const Scene& scene = d.document().scene();
     d.state().selection = {Selection::Kind::muscle, scene.muscles[0].name};
     d.frame(3);
-    run_command(d.editor().context(), Command::repair_mesh);
+    EditorContext context = d.editor().context();
+    run_command(context, Command::repair_mesh);
     d.frame(2);
     const RepairDialog& dialog = d.editor().dialogs().repair;
     REQUIRE(dialog.is_open());
@@ -89,7 +90,7 @@ TEST_CASE("The selected muscle is repaired in one step, attachments go with it",
     CHECK(muscle.attachments[1].vertices.size() == 3);
     for (const int v : muscle.attachments[0].vertices)
         CHECK(v < 16);
-    CHECK(d.editor().log().entries().back().text.find("8 vertices in place of 6") != std::string::npos);
+    CHECK(d.editor().log().messages().back().text.find("8 vertices in place of 6") != std::string::npos);
     d.key(key_z, {.ctrl = true});
     CHECK(d.document().scene().muscles[0].mesh == before);
     CHECK(d.document().scene().muscles[0].attachments[0].vertices.size() == 4);
@@ -142,7 +143,8 @@ TEST_CASE("A mesh that cannot be made solid says why in the dialog, until large 
     Driver d(scene);
     d.frame(3);
     d.state().selection = {Selection::Kind::bone, scene.bones[0].name};
-    run_command(d.editor().context(), Command::repair_mesh);
+    EditorContext context = d.editor().context();
+    run_command(context, Command::repair_mesh);
     const RepairDialog& dialog = d.editor().dialogs().repair;
     wait_for(d, [&] { return dialog.outcome() != nullptr; });
     CHECK_FALSE(dialog.outcome()->result.good());

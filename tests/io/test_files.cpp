@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 TEST_CASE("only regular files are read, and nothing waits for a pipe", "[io][files]") {
     const TempDir dir;
     REQUIRE(::mkfifo((dir.path() / "pipe").c_str(), 0600) == 0);
-    CHECK_THROWS_WITH(read_file(dir.path() / "pipe"), Contains("pipe: cannot read: is a pipe; expected a file"));
+    CHECK_THROWS_WITH(read_file(dir.path() / "pipe"),
+                      Contains("pipe: cannot read: is a pipe; expected a file"));
     CHECK_THROWS_WITH(read_file("/dev/zero"), Contains("is a device"));
     CHECK_THROWS_WITH(read_file(dir.path()), Contains("is a folder"));
     CHECK_THROWS_WITH(read_file(dir.path() / "none" / "x"), Contains("no such file"));

@@ -18,6 +18,7 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <zlib.h>
 
 using namespace fascicle;
 using namespace fascicle::test;
@@ -190,7 +191,13 @@ std::string coincident(const std::string& extension) {
         return "OFF\n" + n + " 1000 0\n" + cloud + triangles;
     if (extension == ".obj")
         return repeated("v 1 2 3\n", points) + triangles;
-    REQUIRE(extension == ".stl"); // a format without a file here
+    if (extension != ".stl") {
+        MeshData data;
+        data.mesh.positions.assign(static_cast<std::size_t>(points), Vec3(1, 2, 3));
+        for (int i = 0; i < 1000; ++i)
+            data.mesh.triangles.push_back({i, i + 1, i + 7});
+        return written(format_for_writing("a" + extension), data);
+    }
     const std::string corner = raw(1.0f) + raw(2.0f) + raw(3.0f);
     return std::string(80, ' ') + raw<std::uint32_t>(333334) +
            repeated(std::string(12, '\0') + corner + corner + corner + "ab", 333334);
@@ -316,6 +323,31 @@ TEST_CASE("hostile meshes: nothing, and nothing but noise", "[io][hostile]") {
         CHECK(in_child(noise, name) == error);
         CHECK(in_child(std::string(20000, '\0'), name) == error);
         CHECK(in_child(std::string(20000, '9'), name) == error);
+    }
+}
+
+TEST_CASE("hostile meshes: compressed zeros stay within the limit of numbers, and the memory with them",
+          "[io][hostile]") {
+    // 4 kB that inflate to 4 MB of bytes, each a number of 8 bytes: just within the limit; then three of them: beyond.
+    const std::string zeros(4000000, '\0');
+    uLongf size = compressBound(static_cast<uLong>(zeros.size()));
+    std::string packed(size, '\0');
+    REQUIRE(compress(reinterpret_cast<Bytef*>(packed.data()), &size,
+                     reinterpret_cast<const Bytef*>(zeros.data()), static_cast<uLong>(zeros.size())) == Z_OK);
+    const std::string data = raw<std::uint32_t>(1) + raw<std::uint32_t>(4000000) + raw<std::uint32_t>(0) +
+                             raw(static_cast<std::uint32_t>(size)) + packed.substr(0, size);
+    for (const int arrays : {1, 3}) {
+        const std::string file =
+            "<VTKFile type=\"PolyData\" compressor=\"vtkZLibDataCompressor\"><PolyData><Piece "
+            "NumberOfPoints=\"4000000\"><PointData>" +
+            repeated("<DataArray Name=\"a\" type=\"Int8\" format=\"appended\" offset=\"0\"/>", arrays) +
+            "</PointData></Piece></PolyData><AppendedData encoding=\"raw\">_" + data +
+            "</AppendedData></VTKFile>";
+        REQUIRE(file.size() < 5000);
+        CHECK(in_child(file, "zeros.vtp") == error);
+        CHECK_THROWS_WITH(
+            read_mesh_bytes(file, "zeros.vtp"),
+            Contains(arrays == 1 ? "a piece without <Points>" : "than a file of this size is trusted with"));
     }
 }
 

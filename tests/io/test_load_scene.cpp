@@ -84,7 +84,8 @@ TEST_CASE("a scene from files", "[io][load_scene]") {
     CHECK(scene.timeline.bone_pose(0, 4).is_identity());
     CHECK((scene.timeline.bone_pose(1, 4).apply(Vec3(2, 2, 3)) - Vec3(1, 1, 3)).norm() < 1e-12);
     CHECK_THAT(loaded.notes.at(0), Contains("socket.vtk: 1 part was inside out"));
-    CHECK_THAT(loaded.notes.at(1), Contains("unit taken to be mm"));
+    CHECK_THAT(loaded.notes.at(1), Contains("socket.vtk: it was inside out as a whole"));
+    CHECK_THAT(loaded.notes.at(2), Contains("unit guessed: millimetres"));
 }
 
 TEST_CASE("without a hinge the joint centre is fitted", "[io][load_scene]") {

@@ -241,8 +241,9 @@ TEST_CASE("what is left out of a run does not stay from the one before", "[io][r
     for (const char* old : {"rest.png", "fibres/strap.0000.vtp", "mine.png"})
         write_file(dir.path() / old, "old");
     run(dir.path(), 1, {});
-    CHECK(listing(dir.path()) == std::vector<std::string>{"bones/femur.vtp", "bones/hip, right.vtp", "metrics.csv",
-                                                          "mine.png", "motion.csv", "summary.json"});
+    CHECK(listing(dir.path()) == std::vector<std::string>{"bones/femur.vtp", "bones/hip, right.vtp",
+                                                          "metrics.csv", "mine.png", "motion.csv",
+                                                          "summary.json"});
 }
 
 TEST_CASE("further files of a run come with it, and a run without them is kept", "[io][run]") {

@@ -20,7 +20,7 @@ UnitGuess guess_length_unit(double diagonal);
 /// Whether every part of a surface was inside out before it was mended: the enclosed volume was negative, as of a mesh that a change of
 /// axes has mirrored.
 bool is_inside_out(const MeshReport& report);
-inline constexpr const char* inside_out_words =
-    "it was inside out as a whole: mirrored on the way here, or wound clockwise; a mirrored shape stays mirrored";
+inline constexpr const char* inside_out_words = "it was inside out as a whole: mirrored on the way here, or "
+                                                "wound clockwise; a mirrored shape stays mirrored";
 
 } // namespace fascicle

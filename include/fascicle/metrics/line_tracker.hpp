@@ -23,6 +23,9 @@ public:
     std::size_t muscle_count() const { return lines_->model->muscles.size(); }
     const std::string& muscle_name(std::size_t m) const { return lines_->model->muscles[m].name; }
 
+    /// Whether the muscle is worth drawing: with a trial of the model, whether all of its bodies have a bone.
+    bool has_bones(std::size_t m) const;
+
     /// Whether moment arms are known in one frame: every bone that carries a line turns about the hinge with the angle or stays
     /// (sampled at 25 frames). The arm is then
     ///   r = sign * sum over segments of t . (v(start) - v(end)), v(x) = a x (x - c) on bones that turn, 0 on others:

@@ -55,7 +55,7 @@ struct ModelMotion {
     Pose body_pose(std::size_t body, int frame, std::span<const Pose> poses) const;
 };
 
-/// The scene's model motion while its timeline is still the trial's (motion_source says so), else null.
+/// The scene's model motion while its timeline is still the trial's (motion_source says so) or the beginning of it, else null.
 const ModelMotion* model_motion_in_force(const Scene& scene);
 
 /// Column name of a coordinate's values: NAME_deg, or NAME_mm for one that shifts.

@@ -101,7 +101,9 @@ void print_table(const std::string& method, const std::vector<Row>& rows) {
     std::size_t width = std::string("muscle").size();
     for (const Row& row : rows)
         width = std::max(width, row.muscle.size());
-    const auto name = [&](const std::string& text) { return one_line(text) + std::string(width - text.size(), ' '); };
+    const auto name = [&](const std::string& text) {
+        return one_line(text) + std::string(width - text.size(), ' ');
+    };
     std::cout << "method " << method << '\n'
               << name("muscle")
               << "  fibres  segments  length mm (sd)  pennation deg   PCSA cm2  cover %  seconds\n"

@@ -11,6 +11,7 @@
 #include "fascicle/io/load_scene.hpp"
 #include "fascicle/io/mesh_file.hpp"
 #include "fascicle/io/mesh_hints.hpp"
+#include "fascicle/io/osim_request.hpp"
 #include "fascicle/io/series_file.hpp"
 #include "fascicle/io/unit_guess.hpp"
 
@@ -76,7 +77,28 @@ void print_series(const std::string& path, const std::string& bytes) {
     }
 }
 
+/// What of an OpenSim model a scene can be made of.
+void print_model(const std::string& path) {
+    const OsimPreview model = preview_osim(path, {});
+    std::cout << path << '\n';
+    print("format", "OpenSim model, version " + std::to_string(model.version));
+    print("name", model.model_name);
+    print("unit", "m");
+    print("coordinates", std::to_string(model.coordinates));
+    print("muscles", std::to_string(model.muscles.size()) + " lines");
+    for (const OsimPreview::BodyRow& body : model.bodies) {
+        std::string missing;
+        for (const std::string& name : body.missing)
+            missing += (missing.empty() ? "; not found: " : ", ") + name;
+        print("body", body.name + ", " + std::to_string(body.meshes_found) + " meshes" + missing);
+    }
+    for (const std::string& note : model.notes)
+        print("note", note);
+}
+
 void print_file(const std::string& path) {
+    if (std::filesystem::path(path).extension() == ".osim")
+        return print_model(path);
     const std::string bytes = read_file(path);
     if (looks_like_series(bytes))
         return print_series(path, bytes);
@@ -125,7 +147,8 @@ void print_file(const std::string& path) {
 
 std::function<int()> add_info(CLI::App& app) {
     const auto paths = std::make_shared<std::vector<std::string>>();
-    app.add_option("MESH", *paths, "Mesh files: " + mesh_format_names() + "; or a series (.pvd)");
+    app.add_option("MESH", *paths,
+                   "Mesh files: " + mesh_format_names() + "; a series (.pvd); OpenSim models (.osim)");
     return [paths] {
         if (paths->empty())
             throw_error("info", "no mesh", "info MESH...", ErrorKind::usage);

@@ -12,6 +12,7 @@
 #include "fascicle/io/format_registry.hpp"
 #include "fascicle/io/load_scene.hpp"
 #include "fascicle/io/mesh_file.hpp"
+#include "fascicle/io/unit_guess.hpp"
 
 #include <cmath>
 #include <iostream>
@@ -108,7 +109,7 @@ int repair_file(const RepairCommand& command) {
     report.in = command.in;
     report.out = command.out;
     const double diagonal = bounding_box(data.mesh.positions, data.mesh.triangles).diagonal();
-    report.unit = command.units.empty() ? to_text(guess_unit(diagonal)) : command.units;
+    report.unit = command.units.empty() ? to_text(guess_length_unit(diagonal).unit) : command.units;
     report.unit_guessed = command.units.empty();
     report.options = options_of(command, report.unit == "m" ? 1000 : 1);
     report.arrays = static_cast<int>(data.point_arrays.size());

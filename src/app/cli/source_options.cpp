@@ -140,7 +140,7 @@ void apply(const SolveOptions& options, ParamSet& parameters) {
 
 std::vector<std::filesystem::path> input_files(const SourceOptions& source, const SolveOptions& solve) {
     const SceneRequest& r = source.request;
-    std::vector<std::filesystem::path> files{r.project, r.motion, r.lines, solve.preset};
+    std::vector<std::filesystem::path> files{r.project, r.motion, r.lines, r.osim.model, solve.preset};
     for (const auto* list : {&r.muscles, &r.bones, &r.moving_bones})
         files.insert(files.end(), list->begin(), list->end());
     for (const auto* list : {&r.attachments, &r.surface_fibres, &r.fibre_templates})

@@ -45,7 +45,7 @@ struct Dialogs {
     std::vector<Dialog*> all() {
         return {&search, &mesh,        &picture,      &run,          &exporting, &load,
                 &pick,   &plot_export, &plot_overlay, &open_project, &save,      &unsaved,
-                &locate, &repair,      &reload,       &recovery,     &progress, &osim};
+                &locate, &repair,      &reload,       &recovery,     &progress,  &osim};
     }
 };
 

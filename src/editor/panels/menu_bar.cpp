@@ -19,7 +19,8 @@ public:
         if (!ImGui::BeginMenuBar())
             return;
         file_menu(context);
-        menu(context, "Edit", {C::undo, C::redo}, {C::paint_mode, C::repair_mesh, C::remove_selected, C::deselect});
+        menu(context, "Edit", {C::undo, C::redo},
+             {C::paint_mode, C::repair_mesh, C::remove_selected, C::deselect});
         menu(context, "Scene",
              {C::open_file, C::load_attachments, C::load_surface_fibres, C::load_fibre_template,
               C::load_lines},

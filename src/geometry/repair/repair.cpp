@@ -262,6 +262,7 @@ private:
         const MeshReport& r = result_.after;
         if (crossings_.pairs > 0)
             result_.left.push_back(
+                (crossings_.complete ? "" : "at least ") +
                 count(crossings_.pairs, "pair of triangles crosses", "pairs of triangles cross") +
                 ", the first are triangles " + std::to_string(crossings_.first[0][0]) + " and " +
                 std::to_string(crossings_.first[0][1]));

@@ -19,7 +19,8 @@ public:
     Parser(std::string_view bytes, const std::string& file) : bytes_(bytes), scanner_(bytes, file) {}
 
     UsdaLayer layer() {
-        if (bytes_.substr(0, 5) != "#usda")
+        at_ = std::min(bytes_.find_first_not_of(" \t\r\n"), bytes_.size());
+        if (bytes_.substr(at_, 5) != "#usda")
             fail("not USD text", "#usda 1.0 (binary .usdc and packed .usdz: usdcat --out FILE.usda)");
         UsdaLayer out;
         skip();

@@ -309,7 +309,7 @@ Animation UsdaReader::read() {
 } // namespace
 
 bool looks_like_usda(std::string_view bytes) {
-    return bytes.substr(0, 5) == "#usda";
+    return trimmed(bytes.substr(0, 4096)).substr(0, 5) == "#usda";
 }
 
 Animation read_usda(std::string_view bytes, const std::string& file) {

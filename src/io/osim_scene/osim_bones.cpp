@@ -1,5 +1,6 @@
 #include "io/osim_scene/osim_bones.hpp"
 
+#include "fascicle/base/error.hpp"
 #include "fascicle/io/format_registry.hpp"
 #include "fascicle/io/mesh_file.hpp"
 #include "io/formats/text_scanner.hpp"
@@ -10,6 +11,8 @@
 namespace fascicle::io {
 namespace fs = std::filesystem;
 namespace {
+
+constexpr std::size_t most_triangles = 20'000'000;
 
 bool is_file(const fs::path& path) {
     std::error_code error;
@@ -94,6 +97,10 @@ std::optional<BodyBone> read_body_bone(const fs::path& model, const Body& body,
             bone.mesh.triangles.push_back(mirrored ? Tri{first + t[0], first + t[2], first + t[1]}
                                                    : Tri{first + t[0], first + t[1], first + t[2]});
         bone.files.push_back(path->filename().string());
+        if (bone.mesh.triangles.size() > most_triangles)
+            throw_error(model.string(),
+                        "the meshes of body '" + body.name + "' have more than 20 million triangles",
+                        "fewer: one file may be named again and again");
     }
     if (bone.files.empty() || bone.mesh.triangles.empty())
         return std::nullopt;

@@ -93,7 +93,7 @@ void OsimSceneLoader::choose_frame() {
         const double total = fit.muscles + fit.ends;
         figures += (figures.empty() ? "" : ", ") + std::string(to_text(frame)) + ' ' +
                    fixed(1000 * total, 1) + " mm";
-        if (total < best - (std::isfinite(best) ? same_fit_m : 0)) {
+        if (placement_.rest.empty() || total < best - same_fit_m) {
             best = total;
             best_muscles = fit.muscles;
             placement_ = std::move(placement);
