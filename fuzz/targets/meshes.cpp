@@ -120,7 +120,10 @@ void fuzz_area_mesh(std::string_view bytes) {
             FUZZ_CHECK(area.bone == 0 && area.vertices.vertex_count() == 4);
         const MeshData back = area_mesh(marked, 0, 0);
         const std::vector<AttachmentArea> again = areas_from_mesh(back, "again", scene, 0, "m");
-        FUZZ_CHECK(again == marked.muscles[0].areas);
+        FUZZ_CHECK(again.size() == marked.muscles[0].areas.size());
+        for (std::size_t i = 0; i < again.size(); ++i) // heads are numbered anew: without gaps
+            FUZZ_CHECK(again[i].vertices == marked.muscles[0].areas[i].vertices &&
+                       again[i].kind == marked.muscles[0].areas[i].kind);
     });
 }
 
