@@ -14,7 +14,7 @@ std::vector<Target> make_targets() {
     for (const MeshFormat& format : mesh_formats()) {
         const std::string name = "mesh_" + format.extensions.at(0).substr(1);
         const auto run = [&format](std::string_view bytes) { fuzz_mesh_format(format, bytes); };
-        // Packed data of VTP: a file of any size is trusted with 8 million numbers.
+        // Packed data of VTP: a file of any size is trusted with 4 million numbers.
         const std::size_t base = name == "mesh_vtp" ? packed : MB;
         rows.push_back({name, run, 4 * kB, name, name, 400, base});
     }

@@ -5,7 +5,7 @@
     tools/load_scene.py --program ... --triangles 100000 --muscles 4 --bones 3        a smaller one
 
 Bones are ellipsoids with bumps, end to end with gaps of 4 mm; the second half of them turns about the middle gap. Muscles are
-spindles that lie on two neighbouring bones, on four sides in turn. Prints seconds and peak memory of every command. Python's
+spindles that lie on two neighbouring bones, on four sides in turn. Prints seconds, seconds of a processor (several threads count each; other programs do not) and peak memory of every command. Python's
 standard library only.
 """
 import argparse
@@ -112,14 +112,16 @@ def run(name, command, limit_gb, environment):
     process.returncode = os.waitstatus_to_exitcode(status)
     process.stdout.close()
     process.stderr.close()
-    took = {"step": name, "seconds": round(time.time() - start, 2), "peak_mb": round(usage.ru_maxrss / 1024, 1)}
+    took = {"step": name, "seconds": round(time.time() - start, 2),
+            "processor_seconds": round(usage.ru_utime + usage.ru_stime, 2), "peak_mb": round(usage.ru_maxrss / 1024, 1)}
     if process.returncode != 0:
         sys.exit(f"{name}: exit code {process.returncode}: {errors or output[-500:]}")
-    print(f"{name:28} {took['seconds']:9.2f} s {took['peak_mb']:9.0f} MB", flush=True)
+    print(f"{name:28} {took['seconds']:9.2f} s {took['processor_seconds']:9.2f} s of a processor {took['peak_mb']:9.0f} MB",
+          flush=True)
     return took
 
 
-def measure(program, folder, muscles=20, bones=12, triangles=1_500_000, frames=10, limit_gb=4.0, ui=True):
+def measure(program, folder, muscles=20, bones=12, triangles=1_500_000, frames=10, limit_gb=4.0, draws=True):
     """Everything: a list of {step, seconds, peak_mb}, and the summary of the run."""
     source, total = write_scene(folder / "scene", muscles, bones, triangles)
     print(f"{muscles} muscles, {bones} bones, {total} triangles, {frames} frames; at most {limit_gb} GB each", flush=True)
@@ -131,10 +133,10 @@ def measure(program, folder, muscles=20, bones=12, triangles=1_500_000, frames=1
     summary = json.loads((folder / "run" / "summary.json").read_text())
     print(f"    prepared in {summary['prepare_seconds']:.2f} s, {summary['fps_median']:.2f} frames/s", flush=True)
     steps.append(run("simulate, cache warm", [*simulate, str(folder / "run")], limit_gb, cache))
-    picture = [program, "render", str(folder / "run"), "--frame", str(frames), "--size", "1280x800", "--quiet", "--out"]
-    steps.append(run("render, viewport", [*picture, str(folder / "view.png")], limit_gb, cache))
-    if ui:
-        steps.append(run("render, whole editor", [*picture, str(folder / "editor.png"), "--ui"], limit_gb, cache))
+    if draws:
+        picture = [program, "render", str(folder / "run"), "--frame", str(frames), "--size", "1280x800", "--quiet", "--out"]
+        steps += [run("render, viewport", [*picture, str(folder / "view.png")], limit_gb, cache),
+                  run("render, whole editor", [*picture, str(folder / "editor.png"), "--ui"], limit_gb, cache)]
     return steps, summary
 
 

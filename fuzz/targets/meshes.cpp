@@ -6,6 +6,7 @@
 #include "fascicle/io/load_scene.hpp"
 #include "fascicle/io/mesh_file.hpp"
 #include "fascicle/io/mesh_hints.hpp"
+#include "fascicle/io/unit_guess.hpp"
 #include "fuzz/check.hpp"
 #include "fuzz/targets.hpp"
 #include "io/formats/xml_reader.hpp"
@@ -95,7 +96,7 @@ void fuzz_mesh_any(std::string_view bytes) {
     reads("fuzz.xyz", [&] {
         const MeshFile file = read_mesh_bytes(bytes, "fuzz.xyz");
         FUZZ_CHECK(file.report.usable() && !file.format.empty());
-        guess_unit(bounding_box(file.mesh.positions).diagonal());
+        guess_length_unit(bounding_box(file.mesh.positions).diagonal());
     });
 }
 

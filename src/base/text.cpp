@@ -52,7 +52,8 @@ std::string valid_utf8(std::string_view text) {
 }
 
 std::string file_name_for(std::string_view name) {
-    constexpr std::size_t longest = 150; // of the 255 that file systems take: a frame, an extension and more follow
+    constexpr std::size_t longest =
+        150; // of the 255 that file systems take: a frame, an extension and more follow
     std::string out(name);
     std::replace_if(
         out.begin(), out.end(), [](char c) { return c == '/' || c == '\\' || is_control(c); }, '_');

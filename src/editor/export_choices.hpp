@@ -16,6 +16,8 @@ struct ExportChoices {
     int first = 0, last = 0, step = 1;
     double fps = 25;
     bool dither = true;
+    int morph_targets = 64; ///< glTF: shapes beside the first, at most
+    char up = 'z';          ///< axis of the scene that points up
 };
 
 } // namespace fascicle::editor

@@ -21,6 +21,7 @@ bool Exporter::start(EditorContext& context, const output::ExportRequest& wish, 
         return false;
     output::ExportRequest request = wish;
     request.threads = std::max(1, hardware_threads() - 1);
+    request.told = std::make_shared<std::vector<std::string>>();
     const RecordingPtr recording = exported_recording(context);
     output::PictureLook look;
     look.camera = context.state.camera;
@@ -78,6 +79,8 @@ void Exporter::end(EditorContext& context) {
         failure_ = {job->request(), job->error()};
     } else {
         context.log.add(Severity::note, "Exported " + fs::absolute(job->request().target, error).string());
+        for (const std::string& sentence : *job->request().told)
+            context.log.add(Severity::note, sentence);
     }
 }
 

@@ -16,6 +16,7 @@ namespace fascicle::editor {
 enum class Command {
     new_project,
     open_project,
+    open_model,
     save_project,
     save_project_as,
     show_start_page,
@@ -133,6 +134,7 @@ enum class Command {
     compare_blink,
     compare_difference,
     load_run,
+    repair_mesh,
     escape,
 };
 

@@ -25,8 +25,8 @@ bool same_problem(const Scene& a, const Scene& b) {
             return p.bone == q.bone && p.kind == q.kind && p.points == q.points && p.head == q.head &&
                    p.hole == q.hole;
         };
-        return x.attach_automatically == y.attach_automatically && x.surface_fibres == y.surface_fibres &&
-               x.fibre_template == y.fibre_template &&
+        return x.attach_automatically == y.attach_automatically && x.attach_to == y.attach_to &&
+               x.surface_fibres == y.surface_fibres && x.fibre_template == y.fibre_template &&
                std::equal(x.attachments.begin(), x.attachments.end(), y.attachments.begin(),
                           y.attachments.end(), same_attachment) &&
                std::equal(x.outlines.begin(), x.outlines.end(), y.outlines.begin(), y.outlines.end(),

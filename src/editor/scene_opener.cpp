@@ -46,7 +46,9 @@ void SceneOpener::start(std::string what, std::function<Result(const JobControl&
 void SceneOpener::open(SceneRequest request) {
     if (!request.project.empty())
         return open_project(request.project);
-    const std::string what = request.embedded.empty() ? "meshes" : request.embedded;
+    const std::string what = !request.osim.model.empty() ? request.osim.model.filename().string()
+                             : request.embedded.empty()  ? "meshes"
+                                                         : request.embedded;
     request.threads = std::max(1, hardware_threads() - 1);
     start(what, [request = std::move(request)](const JobControl& control) {
         LoadedScene loaded = load_scene(request, control);

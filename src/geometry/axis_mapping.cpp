@@ -6,10 +6,11 @@ namespace fascicle {
 
 const std::vector<AxisMappingRow>& axis_mappings() {
     static const std::vector<AxisMappingRow> rows{
-        {AxisMapping::as_is, "As in the file", "The axes are those of the scene already."},
-        {AxisMapping::ras_to_lps, "RAS to LPS", "x and y change sign: half a turn about z."},
-        {AxisMapping::opensim_to_lps, "OpenSim to LPS", "From Y up: x = -Z, y = -X, z = Y."},
-        {AxisMapping::lps_to_opensim, "LPS to OpenSim", "To Y up: X = -y, Y = z, Z = -x."},
+        {AxisMapping::as_is, "as_is", "As in the file", "The axes are those of the scene already."},
+        {AxisMapping::ras_to_lps, "ras_to_lps", "RAS to LPS", "x and y change sign: half a turn about z."},
+        {AxisMapping::opensim_to_lps, "opensim_to_lps", "OpenSim to LPS",
+         "From Y up: x = -Z, y = -X, z = Y."},
+        {AxisMapping::lps_to_opensim, "lps_to_opensim", "LPS to OpenSim", "To Y up: X = -y, Y = z, Z = -x."},
     };
     return rows;
 }

@@ -105,18 +105,21 @@ void AutosaveFolder::open() {
     for (int k = 0;; ++k) {
         folder_ = user_folder_ / "autosave" / (start + "-" + std::to_string(k));
         fs::create_directories(folder_.parent_path(), error);
-        if (fs::create_directory(folder_, error))
+        if (!error && fs::create_directory(folder_, error))
             break;
         if (error)
             throw_error(folder_.string(), "cannot create the folder: " + error.message());
     }
     // A crash between these lines leaves a folder without copies, which the next start removes.
-    lock_ = ::open((folder_ / lock_name).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+    do
+        lock_ = ::open((folder_ / lock_name).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+    while (lock_ < 0 && errno == EINTR);
     if (lock_ < 0 || ::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
         const std::string reason = std::strerror(errno);
         if (lock_ >= 0)
             ::close(lock_);
         lock_ = -1;
+        fs::remove_all(folder_, error);
         throw_error((folder_ / lock_name).string(), "cannot lock: " + reason);
     }
     const std::string pid = std::to_string(::getpid()) + "\n";

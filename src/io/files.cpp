@@ -85,7 +85,7 @@ std::string temporary_start(const fs::path& path) {
 
 /// Folders from `folder` up to `highest`, as far as nothing is in them.
 void remove_empty_folders(fs::path folder, const fs::path& highest) {
-    while (!highest.empty() && ::rmdir(folder.c_str()) == 0 && folder != highest)
+    while (!highest.empty() && (::rmdir(folder.c_str()) == 0 || errno == ENOENT) && folder != highest)
         folder = folder.parent_path();
 }
 
@@ -118,8 +118,7 @@ std::string read_file(const fs::path& path, std::size_t max_bytes) {
     if (file.number() < 0)
         fail(reason(file.error()));
     const auto too_large = [&] {
-        throw_error(path.string(), "file is too large",
-                    "at most " + std::to_string(max_bytes) + " bytes");
+        throw_error(path.string(), "file is too large", "at most " + std::to_string(max_bytes) + " bytes");
     };
     if (file.size() > max_bytes)
         too_large();
@@ -249,8 +248,8 @@ AtomicFile::AtomicFile(fs::path path)
     static std::atomic<unsigned> counter{0};
     // Never a file or link that somebody else put there: a number that is taken is passed over.
     for (int attempt = 0; attempt < 100 && buffer_.file < 0; ++attempt) {
-        temporary_ = path_.parent_path() / (temporary_start(path_) + std::to_string(::getpid()) + "-" +
-                                            std::to_string(counter++));
+        temporary_ = path_.parent_path() /
+                     (temporary_start(path_) + std::to_string(::getpid()) + "-" + std::to_string(counter++));
         do
             buffer_.file = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         while (buffer_.file < 0 && errno == EINTR);

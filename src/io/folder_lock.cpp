@@ -17,7 +17,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder) {
     if (failed != EWOULDBLOCK)
         return; // held, or there are no locks here
     ::close(file_);
-    throw_error(folder.string(), "another program is writing into this folder",
+    throw_error(shown_path(folder), "another program is writing into this folder",
                 "another folder, or the end of that program");
 }
 

@@ -1,16 +1,20 @@
 #include "fascicle/io/format_registry.hpp"
 
 #include "fascicle/base/error.hpp"
+#include "fascicle/io/files.hpp"
+#include "io/formats/gltf_read.hpp"
+#include "io/formats/gltf_write.hpp"
 #include "io/formats/obj.hpp"
 #include "io/formats/off.hpp"
 #include "io/formats/ply.hpp"
 #include "io/formats/stl.hpp"
 #include "io/formats/text_scanner.hpp"
+#include "io/formats/usda_read.hpp"
+#include "io/formats/usda_write.hpp"
 #include "io/formats/vtk_legacy.hpp"
 #include "io/formats/vtp.hpp"
 
 #include <algorithm>
-#include <fstream>
 
 namespace fascicle {
 namespace {
@@ -53,6 +57,18 @@ const std::vector<MeshFormat>& mesh_formats() {
          io::write_stl,
          {.doubles = false, .vertex_order = false}},
         {"OFF", {".off"}, io::looks_like_off, io::read_off, io::write_off, {.colours = true}},
+        {"glTF 2.0",
+         {".glb"},
+         io::looks_like_glb,
+         io::read_glb_mesh,
+         io::write_glb_mesh,
+         {.lines = true, .doubles = false, .metres = true}},
+        {"USD text",
+         {".usda"},
+         io::looks_like_usda,
+         io::read_usda_mesh,
+         io::write_usda_mesh,
+         {.lines = true, .doubles = false, .metres = true}},
         {"OBJ", {".obj"}, io::looks_like_obj, io::read_obj, io::write_obj, {.lines = true}},
     };
     return formats;
@@ -66,10 +82,7 @@ const MeshFormat* recognise_format(std::string_view bytes, const std::filesystem
 }
 
 const MeshFormat* recognise_file(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::string head(std::size_t{1} << 16, '\0');
-    stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
+    const std::string head = read_head(file, std::size_t{1} << 16);
     if (head.empty())
         return nullptr;
     std::error_code code;

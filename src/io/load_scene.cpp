@@ -13,7 +13,10 @@
 #include "fascicle/io/mesh_file.hpp"
 #include "fascicle/io/motion_file.hpp"
 #include "fascicle/io/project_file.hpp"
+#include "fascicle/io/unit_guess.hpp"
 #include "fascicle/scene/embedded_scenes.hpp"
+#include "io/load_parts.hpp"
+#include "io/osim_scene/osim_scene.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,6 +39,8 @@ void say(const fs::path& path, const MeshFile& file, std::vector<std::string>& n
     for (const auto& lines : {file.report.lines(), file.notes})
         for (const std::string& line : lines)
             notes.push_back(path.filename().string() + ": " + line);
+    if (is_inside_out(file.report))
+        notes.push_back(path.filename().string() + ": " + inside_out_words);
 }
 
 [[noreturn]] void fail_usage(const std::string& where, const std::string& what, const std::string& expected) {
@@ -58,11 +63,16 @@ void require_no_mesh_options(const SceneRequest& r, const std::string& source) {
 }
 
 void require_one_source(const SceneRequest& r) {
+    const bool model = !r.osim.model.empty();
     const int sources =
-        (r.embedded.empty() ? 0 : 1) + (r.project.empty() ? 0 : 1) + (wants_meshes(r) ? 1 : 0);
+        (r.embedded.empty() ? 0 : 1) + (r.project.empty() ? 0 : 1) + (model || wants_meshes(r) ? 1 : 0);
     if (sources != 1)
         fail_usage("", sources == 0 ? "no scene is named" : "more than one scene is named",
-                   "one of --scene NAME, --project FILE, or --muscle MESH with --bone MESH");
+                   "one of --scene NAME, --project FILE, --osim MODEL with --motion TRIAL, or --muscle MESH "
+                   "with --bone MESH");
+    if (model)
+        return io::check_osim_request(r);
+    io::require_no_osim_options(r.osim);
     if (!r.embedded.empty())
         require_no_mesh_options(r, "--scene");
     if (!r.project.empty())
@@ -74,18 +84,6 @@ void require_one_source(const SceneRequest& r) {
     for (const auto& [is, option] : hinge_options)
         if (is && !r.motion.empty())
             fail_usage(option, "cannot go with --motion, which tells every frame", "one of the two");
-}
-
-void require_unique_names(const Scene& scene) {
-    std::set<std::string> names;
-    const auto check = [&](const std::string& name) {
-        if (!names.insert(name).second)
-            fail_usage(name, "two meshes have this name", "files of different names (without extension)");
-    };
-    for (const Bone& bone : scene.bones)
-        check(bone.name);
-    for (const Muscle& muscle : scene.muscles)
-        check(muscle.name);
 }
 
 Muscle& muscle_named(Scene& scene, const std::string& option, const std::string& name) {
@@ -194,24 +192,45 @@ LoadedScene load_meshes(const SceneRequest& r, const JobControl& control) {
         loaded.notes.insert(loaded.notes.end(), notes[i].begin(), notes[i].end());
         step();
     }
-    require_unique_names(scene);
+    io::require_unique_names(scene);
     scene.name = scene.muscles.empty() ? scene.bones[0].name : scene.muscles[0].name;
-    scene.unit = r.unit.value_or(guess_unit(scene));
+    const UnitGuess guess = guess_length_unit(scene_diagonal(scene));
+    scene.unit = r.unit.value_or(guess.unit);
     if (!r.unit)
-        loaded.notes.push_back(std::string("unit taken to be ") + to_text(scene.unit) +
-                               " from the size of the meshes; --units tells otherwise");
+        loaded.notes.push_back(guess.sentence());
+    io::load_muscle_files(scene, r, step, loaded.notes);
+    if (r.motion.empty())
+        set_motion(loaded, r);
+    return loaded;
+}
+
+} // namespace
+
+void io::load_muscle_files(Scene& scene, const SceneRequest& r, const std::function<void()>& step,
+                           std::vector<std::string>& notes) {
     for (const auto& [name, path] : r.attachments) {
         step();
         load_attachments(muscle_named(scene, "--attachments", name), path, scene.unit);
     }
     for (const auto& [name, path] : r.surface_fibres) {
         step();
-        load_surface_fibres(muscle_named(scene, "--surface-fibres", name), path, loaded.notes);
+        load_surface_fibres(muscle_named(scene, "--surface-fibres", name), path, notes);
     }
-    if (r.motion.empty())
-        set_motion(loaded, r);
-    return loaded;
 }
+
+void io::require_unique_names(const Scene& scene) {
+    std::set<std::string> names;
+    const auto check = [&](const std::string& name) {
+        if (!names.insert(name).second)
+            fail_usage(name, "two meshes have this name", "files of different names (without extension)");
+    };
+    for (const Bone& bone : scene.bones)
+        check(bone.name);
+    for (const Muscle& muscle : scene.muscles)
+        check(muscle.name);
+}
+
+namespace {
 
 LoadedScene load_source(const SceneRequest& request, const JobControl& control) {
     if (!request.embedded.empty()) {
@@ -222,7 +241,7 @@ LoadedScene load_source(const SceneRequest& request, const JobControl& control) 
         Project project = read_project_file(request.project, request.threads, control);
         return {std::move(project.scene), std::move(project.notes)};
     }
-    return load_meshes(request, control);
+    return request.osim.model.empty() ? load_meshes(request, control) : io::load_osim_scene(request, control);
 }
 
 } // namespace
@@ -237,7 +256,7 @@ LoadedScene load_scene(const SceneRequest& request, const JobControl& control) {
         Muscle& muscle = muscle_named(loaded.scene, "--fibre-template", name);
         load_fibre_template(muscle, path);
     }
-    if (!request.motion.empty())
+    if (!request.motion.empty() && loaded.scene.model_motion == nullptr)
         load_motion(loaded.scene, request.motion, loaded.notes);
     if (!request.lines.empty()) // after the motion: what a note says of the joint counts for it
         load_line_muscles(loaded.scene, request.lines, loaded.notes);
@@ -302,17 +321,13 @@ void load_fibre_template(Muscle& muscle, const fs::path& path) {
     muscle.fibre_template_source = {path.string(), hash.hex()};
 }
 
-LengthUnit guess_unit(const Scene& scene) {
+double scene_diagonal(const Scene& scene) {
     BoundingBox box;
     for (const Bone& bone : scene.bones)
         box.add(bounding_box(bone.mesh->positions, bone.mesh->triangles));
     for (const Muscle& muscle : scene.muscles)
         box.add(bounding_box(muscle.mesh->positions, muscle.mesh->triangles));
-    return guess_unit(box.diagonal());
-}
-
-LengthUnit guess_unit(double diagonal) {
-    return diagonal < 5.0 ? LengthUnit::metre : LengthUnit::millimetre;
+    return box.diagonal();
 }
 
 } // namespace fascicle

@@ -2,6 +2,7 @@
 
 #include "fascicle/base/param_table.hpp"
 #include "fascicle/io/files.hpp"
+#include "io/formats/text_scanner.hpp"
 
 #include <algorithm>
 #include <string>
@@ -44,6 +45,18 @@ std::optional<double> unit_of(const std::string& head) {
     return std::nullopt;
 }
 
+/// metersPerUnit, in mm; a centimetre where nothing is said.
+double metres_of_usd(const std::string& head) {
+    constexpr std::string_view key = "metersperunit = ";
+    double value = 0;
+    if (const std::size_t at = head.find(key); at != std::string::npos) {
+        const std::size_t start = at + key.size(), end = head.find_first_not_of("0123456789.e+-", start);
+        if (parse_number(head.substr(start, end - start), value) && value > 0)
+            return 1000 * value;
+    }
+    return 10;
+}
+
 } // namespace
 
 MeshHints find_mesh_hints(std::string_view bytes) {
@@ -54,6 +67,10 @@ MeshHints find_mesh_hints(std::string_view bytes) {
     else if (head.find("space=lps") != std::string::npos)
         hints.space = MeshSpace::lps;
     hints.millimetres = unit_of(head);
+    if (head.substr(0, 4) == "gltf") // which is in metres
+        hints.millimetres = 1000;
+    else if (io::trimmed(head).substr(0, 5) == "#usda")
+        hints.millimetres = metres_of_usd(head);
     return hints;
 }
 

@@ -4,13 +4,15 @@
 #include "fascicle/base/build_info.hpp"
 #include "fascicle/base/error.hpp"
 #include "fascicle/base/parallel.hpp"
+#include "fascicle/base/text.hpp"
 #include "fascicle/geometry/bounding_box.hpp"
 #include "fascicle/geometry/vertex_normals.hpp"
 #include "fascicle/geometry/volume.hpp"
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/mesh_file.hpp"
 #include "fascicle/io/osim_file.hpp"
-#include "fascicle/io/output_folder.hpp"
+#include "fascicle/io/staged_files.hpp"
+#include "fascicle/io/storage_write.hpp"
 #include "io/osim_export/bake_report.hpp"
 #include "io/osim_export/report_files.hpp"
 
@@ -18,7 +20,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
+#include <sstream>
 
 namespace fascicle {
 namespace fs = std::filesystem;
@@ -27,7 +29,7 @@ namespace io {
 namespace {
 
 constexpr std::size_t most_points =
-    50'000; ///< of all paths: what read_osim takes (two million tags), and OpenSim bears
+    35'000; ///< of all paths, 34 tags and some 1,700 bytes each: what read_osim takes
 constexpr double bone_density = 1900; ///< kg/m3, compact bone; a limb weighs more
 constexpr double tendon_share = 0.01;
 
@@ -40,16 +42,16 @@ public:
         to_model_.scale = millimetres_per_unit(scene_.unit) / 1000;
     }
 
-    OsimExportReport run(const fs::path& folder) {
+    OsimExportReport run(const fs::path& model) {
         check();
         motion_ = bake_motion(recording_, to_model_, options_.coordinate, model_);
-        name_files(folder);
+        name_files(model);
         bake_bones();
         bake_muscles();
         tell_origins();
         const std::string text = osim_text(model_);
         measure(text);
-        write(folder, text);
+        write(text);
         return std::move(report_);
     }
 
@@ -71,16 +73,14 @@ private:
                         "at most " + std::to_string(most_points) + ": fewer fibres.count or fibres.segments");
     }
 
-    void name_files(const fs::path& folder) {
-        model_.name = osim_name(scene_.name, "model");
-        report_.model = folder / (model_.name + ".osim");
-        report_.motion = folder / (model_.name + ".mot");
-        report_.table = folder / "osim_report.csv";
-        report_.facts = folder / "osim_report.json";
-        std::vector<fs::path> files{report_.model, report_.motion, report_.table, report_.facts};
-        for (std::size_t b = 1; b < model_.bodies.size(); ++b)
-            files.push_back(folder / "Geometry" / model_.bodies[b].mesh_file);
-        refuse_inputs(files, scene_);
+    void name_files(const fs::path& model) {
+        const fs::path folder = model.parent_path();
+        const std::string stem = model.stem().string();
+        model_.name = osim_name(stem, "model");
+        report_.model = model;
+        report_.motion = folder / (stem + ".mot");
+        report_.table = folder / (stem + "_report.csv");
+        report_.facts = folder / (stem + "_report.json");
     }
 
     TriMesh bone_mesh(std::size_t bone) const {
@@ -234,23 +234,30 @@ private:
     }
 
     std::string motion_text() const {
-        const bool degrees = model_.coordinates.front().rotational;
-        std::string text = model_.name + "\nversion=1\nnRows=" + std::to_string(recording_.frame_count()) +
-                           "\nnColumns=" + std::to_string(model_.coordinates.size() + 1) +
-                           "\ninDegrees=" + (degrees ? "yes" : "no") + "\nendheader\ntime";
+        StorageTable table;
+        table.file = report_.motion.string();
+        table.name = model_.name;
+        table.in_degrees = model_.coordinates.front().rotational;
+        table.columns = {"time"};
         for (const BakedCoordinate& c : model_.coordinates)
-            text += "\t" + c.name;
+            table.columns.push_back(c.name);
         const double frame_time = scene_.parameters.get("solver.frame_time");
         for (int k = 0; k < recording_.frame_count(); ++k) {
-            text += "\n" + number_text(recording_.frame(k)->index * frame_time);
             const double value = motion_.values[static_cast<std::size_t>(k)];
-            for (std::size_t c = 0; c < model_.coordinates.size(); ++c)
-                text += "\t" + number_text(degrees ? value * 180 / std::numbers::pi : value);
+            table.values.push_back(recording_.frame(k)->index * frame_time);
+            table.values.insert(table.values.end(), model_.coordinates.size(),
+                                table.in_degrees ? value * 180 / std::numbers::pi : value);
+            table.lines.push_back(static_cast<std::size_t>(k) + 1);
         }
-        return text + "\n";
+        std::ostringstream out;
+        write_storage(out, table);
+        return out.str();
     }
 
-    void write(const fs::path& folder, const std::string& text) {
+    void write(const std::string& text) {
+        std::error_code ignored;
+        StagedFiles files(fs::absolute(report_.model, ignored).parent_path(), StagedFiles::Use::shared);
+        const fs::path& place = files.place();
         for (std::size_t b = 0; b < scene_.bones.size(); ++b) {
             control_.checkpoint("OpenSim model: meshes", double(b) / double(scene_.bones.size()));
             MeshData data;
@@ -261,12 +268,13 @@ private:
                 normals.values.insert(normals.values.end(), {unit.x(), unit.y(), unit.z()});
             }
             data.point_arrays.push_back(std::move(normals));
-            write_mesh_file(folder / "Geometry" / model_.bodies[b + 1].mesh_file, data);
+            write_mesh_file(place / "Geometry" / model_.bodies[b + 1].mesh_file, data);
         }
-        write_file(report_.motion, motion_text());
-        write_file(report_.table, report_table(report_));
-        write_file(report_.facts, report_facts(report_, options_, scene_, model_));
-        write_file(report_.model, text);
+        write_file(place / report_.motion.filename(), motion_text());
+        write_file(place / report_.table.filename(), report_table(report_));
+        write_file(place / report_.facts.filename(), report_facts(report_, options_, scene_, model_));
+        write_file(place / report_.model.filename(), text);
+        files.commit(scene_);
     }
 
     const Recording& recording_;
@@ -292,9 +300,27 @@ double OsimExportReport::largest(double OsimFibreReport::*quantity) const {
     return most;
 }
 
-OsimExportReport export_osim(const fs::path& folder, const Recording& recording,
+OsimExportReport export_osim(const fs::path& model, const Recording& recording,
                              const OsimExportOptions& options, const JobControl& control) {
-    return io::Exporter(recording, options, control).run(folder);
+    return io::Exporter(recording, options, control).run(model);
+}
+
+std::string reason_against_osim(const Recording& recording) {
+    const std::vector<FibreModelPtr> models = recording.fibres();
+    if (std::none_of(models.begin(), models.end(), [](const FibreModelPtr& m) { return m != nullptr; }))
+        return "the run has no fibres; choose a fibre method in the parameters";
+    const Scene& scene = recording.scene();
+    for (std::size_t b = 0; b < scene.bones.size(); ++b)
+        if (scene.timeline.moves(static_cast<int>(b)))
+            return {};
+    const int frames = recording.frame_count(); // of a folder: the timeline may tell less
+    for (int k = 1; k < frames; ++k)
+        for (std::size_t b = 0; b < scene.bones.size(); ++b) {
+            const Pose &now = recording.frame(k)->bone_poses[b], &rest = recording.frame(0)->bone_poses[b];
+            if (now.rotation != rest.rotation || now.translation != rest.translation)
+                return {};
+        }
+    return "no bone moves: there is nothing to make muscles a function of";
 }
 
 } // namespace fascicle

@@ -3,6 +3,7 @@
 #include "fascicle/base/error.hpp"
 #include "fascicle/base/text.hpp"
 #include "fascicle/scene/line_muscles.hpp"
+#include "fascicle/scene/model_motion.hpp"
 #include "io/run_files.hpp"
 
 #include <map>
@@ -29,6 +30,8 @@ void for_each_input(const Scene& scene, const std::vector<fs::path>& more_inputs
     for (const fs::path& input : more_inputs)
         check({input.string(), {}});
     check(scene.motion_source);
+    if (scene.model_motion != nullptr)
+        check(scene.model_motion->model_source);
     if (scene.line_muscles != nullptr)
         check(scene.line_muscles->source);
     for (const Bone& bone : scene.bones)
@@ -56,17 +59,6 @@ void require_file_names(const Scene& scene) {
         add(bone.name);
     for (const Muscle& muscle : scene.muscles)
         add(muscle.name);
-}
-
-void refuse_inputs(const std::vector<fs::path>& files, const Scene& scene) {
-    std::set<fs::path> outputs;
-    for (const fs::path& file : files)
-        outputs.insert(resolved(file));
-    for_each_input(scene, {}, [&](const MeshSource& source) {
-        if (outputs.count(resolved(source.path)) > 0)
-            throw_error(resolved(source.path).string(), "the output would replace this input",
-                        "another output folder", ErrorKind::usage);
-    });
 }
 
 const fs::path& without_inputs(const fs::path& folder, const Scene& scene,

@@ -84,6 +84,12 @@ std::vector<MissingFile> missing_project_files(const fs::path& path, const Locat
         if (muscle.has("fibre_template"))
             look(muscle.object("fibre_template"), "fibre template of " + name);
     }
+    if (fields.has("opensim")) {
+        const io::JsonFields opensim = fields.object("opensim");
+        for (const char* part : {"model", "trial"})
+            if (opensim.has(part))
+                look(opensim.object(part), std::string("OpenSim ") + part);
+    }
     if (fields.has("line_muscles"))
         look(fields.object("line_muscles"), "line muscles");
     return missing;

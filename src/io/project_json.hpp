@@ -52,6 +52,7 @@ private:
     std::vector<AttachmentArea> areas(const JsonFields& entry, const Scene& scene);
     void timeline(const JsonFields& entry, Scene& scene);
     void markers(Scene& scene);
+    void opensim(const JsonFields& entry, Scene& scene);
     void parameters(const JsonFields& entry, Scene& scene);
 
     const JsonFields& fields_;

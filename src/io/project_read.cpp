@@ -57,6 +57,21 @@ Polylines read_polylines(const JsonFields& entry) {
     return out;
 }
 
+std::vector<std::string> texts(const JsonFields& entry, const char* key) {
+    std::vector<std::string> out;
+    const auto list = entry.json().find(key);
+    if (list == entry.json().end())
+        return out;
+    if (!list->is_array())
+        entry.fail(key, "is no list", "a list of names");
+    for (const Json& item : *list) {
+        if (!item.is_string())
+            entry.fail(key, "holds what is no name", "a list of names");
+        out.push_back(item.get<std::string>());
+    }
+    return out;
+}
+
 } // namespace
 
 AttachmentKind kind_of(const JsonFields& entry) {
@@ -109,6 +124,8 @@ void ProjectReader::read(Scene& scene, std::vector<std::string>& notes) {
         const JsonFields file = fields_.object("motion_file");
         scene.motion_source = {resolved(file).string(), file.text("hash")};
     }
+    if (fields_.has("opensim"))
+        opensim(fields_.object("opensim"), scene);
     if (fields_.has("line_muscles")) {
         const JsonFields file = fields_.object("line_muscles");
         load_line_muscles(scene, resolved(file), notes);
@@ -197,6 +214,7 @@ Muscle ProjectReader::muscle(const JsonFields& entry, const Scene& scene) {
     }
     out.name = entry.text("name");
     out.attach_automatically = entry.flag("attach_automatically", true);
+    out.attach_to = texts(entry, "attach_to");
     outlines(entry, out, scene);
     fibres(entry, out);
     out.attachments = attachments(entry, out, scene);

@@ -30,8 +30,8 @@ const Shape& project_shape() {
     static const Shape area{{"kind", "bone", "head", "vertex_count", "ranges"}};
     static const Shape bone{{"name", "path", "hash", "size", "embedded", "mesh"}, {{"mesh", &carried}}};
     static const Shape muscle{{"name", "path", "hash", "size", "embedded", "mesh", "attach_automatically",
-                               "outline_files", "outlines", "attachments", "areas", "surface_fibres",
-                               "fibre_template"},
+                               "attach_to", "outline_files", "outlines", "attachments", "areas",
+                               "surface_fibres", "fibre_template"},
                               {{"mesh", &carried},
                                {"outline_files", &source, {{"path"}}},
                                {"outlines", &outline, {{"kind", "bone", "head"}, {"kind", "bone"}}},
@@ -47,15 +47,20 @@ const Shape& project_shape() {
         {"last_frame", "hinge", "angles", "tracks"},
         {{"hinge", &hinge}, {"angles", &angle, {{"frame"}}}, {"tracks", &track, {{"bone"}}}}};
     static const Shape marker{{"frame", "name"}};
+    static const Shape body{{"body", "bone"}};
+    static const Shape opensim{{"model", "trial", "mesh_frame", "axes", "coordinate", "from_s", "to_s",
+                                "trial_frames", "lines", "bodies"},
+                               {{"model", &source}, {"trial", &source}, {"bodies", &body, {{"body"}}}}};
     static const Shape parameters{{}}; // keys of the table that are not written stand at their defaults
     static const Shape project{{"fascicle_project", "program_version", "name", "embedded_scene",
                                 "carries_meshes", "unit", "bones", "muscles", "timeline", "markers",
-                                "motion_file", "line_muscles", "parameter_defaults", "parameters"},
+                                "motion_file", "opensim", "line_muscles", "parameter_defaults", "parameters"},
                                {{"bones", &bone, {{"name"}, {"path", "hash"}}},
                                 {"muscles", &muscle, {{"name"}, {"path", "hash"}}},
                                 {"timeline", &timeline},
                                 {"markers", &marker, {{"frame", "name"}, {"name"}, {"frame"}}},
                                 {"motion_file", &source},
+                                {"opensim", &opensim},
                                 {"line_muscles", &source}}};
     return project;
 }

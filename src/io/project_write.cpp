@@ -6,6 +6,7 @@
 #include "fascicle/io/files.hpp"
 #include "fascicle/scene/embedded_scenes.hpp"
 #include "fascicle/scene/line_muscles.hpp"
+#include "fascicle/scene/model_motion.hpp"
 #include "io/mesh_codec.hpp"
 #include "io/project_unknown.hpp"
 
@@ -145,6 +146,8 @@ Json ranges_json(const SurfaceRegion& region) {
 Json muscle_json(const Muscle& muscle, const Scene& scene, const fs::path& folder, bool carry) {
     Json json = thing_json(muscle, scene, folder, carry);
     json["attach_automatically"] = muscle.attach_automatically;
+    if (!muscle.attach_to.empty())
+        json["attach_to"] = muscle.attach_to;
     const bool files = !carry && !muscle.outline_files.empty() &&
                        std::all_of(muscle.outline_files.begin(), muscle.outline_files.end(), is_current);
     for (const MeshSource& source : muscle.outline_files)
@@ -215,6 +218,30 @@ Json timeline_json(const Scene& scene) {
     return json;
 }
 
+/// The model and trial are read again; what the user said of them stands here.
+Json opensim_json(const Scene& scene, const fs::path& folder) {
+    const ModelMotion& motion = *scene.model_motion;
+    const Skeleton& skeleton = motion.model->skeleton;
+    Json json{{"model", source_json(motion.model_source, folder)},
+              {"trial", source_json(motion.trial_source, folder)},
+              {"mesh_frame", to_text(motion.mesh_frame)},
+              {"axes", motion.axes}};
+    if (motion.coordinate >= 0)
+        json["coordinate"] = skeleton.coordinates[static_cast<std::size_t>(motion.coordinate)].name;
+    if (motion.reading.from_s)
+        json["from_s"] = *motion.reading.from_s;
+    if (motion.reading.to_s)
+        json["to_s"] = *motion.reading.to_s;
+    if (motion.reading.frames > 0)
+        json["trial_frames"] = motion.reading.frames;
+    json["lines"] = scene.line_muscles != nullptr && scene.line_muscles->model == motion.model;
+    json["bodies"] = Json::array();
+    for (std::size_t b = 0; b < motion.bone_of_body.size(); ++b)
+        if (!motion.bone_of_body[b].empty())
+            json["bodies"].push_back({{"body", skeleton.bodies[b].name}, {"bone", motion.bone_of_body[b]}});
+    return json;
+}
+
 Json parameters_json(const ParamSet& parameters) {
     Json json = Json::object();
     for (const ParamRow& row : parameters.table().rows())
@@ -267,6 +294,8 @@ Json project_json(const Scene& scene, const fs::path& file, const Json& previous
         json["markers"].push_back({{"frame", marker.frame}, {"name", marker.name}});
     if (!scene.motion_source.path.empty())
         json["motion_file"] = source_json(scene.motion_source, folder);
+    if (scene.model_motion != nullptr)
+        json["opensim"] = opensim_json(scene, folder);
     if (scene.line_muscles != nullptr && !scene.line_muscles->source.path.empty())
         json["line_muscles"] = source_json(scene.line_muscles->source, folder);
     if (Json defaults = parameter_defaults_json(scene.parameters); !defaults.empty())

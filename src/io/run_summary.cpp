@@ -2,7 +2,9 @@
 
 #include "fascicle/base/build_info.hpp"
 #include "fascicle/base/state_hash.hpp"
+#include "fascicle/io/run_provenance.hpp"
 #include "fascicle/scene/line_muscles.hpp"
+#include "fascicle/scene/model_motion.hpp"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -89,6 +91,21 @@ Json solve_stages(const Recording& recording) {
     return Json(stages);
 }
 
+/// What of an OpenSim model moved the bones.
+Json model_json(const ModelMotion& motion) {
+    const std::vector<Coordinate>& all = motion.model->skeleton.coordinates;
+    Json json{{"name", motion.model->name},    {"mesh_frame", to_text(motion.mesh_frame)},
+              {"axes", motion.axes},           {"lead_in_frames", motion.lead_in},
+              {"first_row_s", motion.first_s}, {"frame_s", motion.frame_s}};
+    if (motion.coordinate >= 0)
+        json["coordinate"] = all[static_cast<std::size_t>(motion.coordinate)].name;
+    json["bodies"] = Json::object();
+    for (std::size_t b = 0; b < motion.bone_of_body.size(); ++b)
+        if (!motion.bone_of_body[b].empty())
+            json["bodies"][motion.model->skeleton.bodies[b].name] = motion.bone_of_body[b];
+    return json;
+}
+
 } // namespace
 
 std::string run_summary(const Recording& recording, const RunOutputOptions& options,
@@ -153,6 +170,10 @@ std::string run_summary(const Recording& recording, const RunOutputOptions& opti
         add_input(inputs, bone.source);
     }
     add_input(inputs, scene.motion_source);
+    if (const ModelMotion* motion = model_motion_in_force(scene)) {
+        add_input(inputs, motion->model_source);
+        json["model"] = model_json(*motion);
+    }
     if (scene.line_muscles != nullptr)
         add_input(inputs, scene.line_muscles->source);
     if (scene.timeline.hinge) {
@@ -173,4 +194,18 @@ std::string run_summary(const Recording& recording, const RunOutputOptions& opti
 }
 
 } // namespace io
+
+std::string run_provenance(const Recording& recording) {
+    const Scene& scene = recording.scene();
+    const FramePtr last = recording.last_frame();
+    io::Json json;
+    json["program"] = std::string("fascicle ") + program_version();
+    json["scene"] = scene.name;
+    json["unit"] = to_text(scene.unit);
+    json["method"] = scene.parameters.get_choice("solver.method");
+    json["state_hash"] = last ? state_hash(*last) : std::string();
+    json["parameters"] = io::parameters_json(scene.parameters);
+    return json.dump(-1, ' ', false, io::Json::error_handler_t::replace);
+}
+
 } // namespace fascicle

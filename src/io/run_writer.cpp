@@ -8,9 +8,11 @@
 #include "fascicle/io/line_table.hpp"
 #include "fascicle/io/mesh_file.hpp"
 #include "fascicle/io/output_folder.hpp"
+#include "fascicle/io/series_file.hpp"
 #include "fascicle/io/staged_files.hpp"
 #include "fascicle/metrics/metric_table.hpp"
 #include "fascicle/scene/line_muscles.hpp"
+#include "fascicle/scene/model_motion.hpp"
 #include "io/formats/pvd.hpp"
 #include "io/formats/vtp.hpp"
 #include "io/run_files.hpp"
@@ -45,8 +47,9 @@ struct RunWriter::Impl {
     std::vector<std::vector<NamedArray>> last_arrays;
 
     Impl(const fs::path& where, ScenePtr what, RunOutputOptions how)
-        : target(without_inputs(where, *what)), staged(target), folder(staged.place()), scene(std::move(what)),
-          options(std::move(how)), metrics_file(folder / "metrics.csv"), motion_file(folder / "motion.csv") {}
+        : target(without_inputs(where, *what)), staged(target), folder(staged.place()),
+          scene(std::move(what)), options(std::move(how)), metrics_file(folder / "metrics.csv"),
+          motion_file(folder / "motion.csv") {}
 
     void headers();
     void write_metrics(const std::vector<const FibreSeries*>& series);
@@ -192,6 +195,13 @@ void RunWriter::Impl::write_metrics(const std::vector<const FibreSeries*>& serie
     for (std::size_t c = 0; c < rows.size(); ++c)
         if (shown(c))
             metrics.text(options.metric_columns[c]);
+    const ModelMotion* trial = model_motion_in_force(*scene);
+    const auto coordinate = [&](int c) -> const Coordinate& {
+        return trial->model->skeleton.coordinates[static_cast<std::size_t>(c)];
+    };
+    if (trial != nullptr)
+        for (const int c : trial->moving)
+            metrics.text(coordinate_column(coordinate(c)));
     metrics.end_row();
     for (const MetricsLine& line : lines) {
         metrics.integer(line.frame).text(scene->muscles[line.muscle].name).number(line.angle_deg);
@@ -201,6 +211,10 @@ void RunWriter::Impl::write_metrics(const std::vector<const FibreSeries*>& serie
             if (shown(c))
                 metrics.number(k >= 0 && rows[c] != nullptr && rows[c]->over_run ? rows[c]->over_run(*own, k)
                                                                                  : line.values[c]);
+        if (trial != nullptr)
+            for (const int c : trial->moving)
+                metrics.number(
+                    coordinate_number(coordinate(c), trial->at(line.frame)[static_cast<std::size_t>(c)]));
         metrics.end_row();
     }
 }
@@ -215,11 +229,16 @@ void RunWriter::Impl::write_fibres(const Recording& recording,
             continue;
         present.push_back(series[m]);
         FibreSet fibres = series[m]->rest();
+        std::vector<std::pair<double, std::string>> steps;
         for (const int k : vtp_frames) {
             models.at(m)->carrier.carry(*recording.frame(k)->muscle_positions[m], fibres.points);
             write_mesh_file(folder / fibre_file(scene->muscles[m].name, k),
                             fibre_lines(*series[m], k, fibres));
+            steps.emplace_back(k * scene->parameters.get("solver.frame_time"),
+                               fibre_file(scene->muscles[m].name, k).filename().string());
         }
+        if (!steps.empty())
+            write_series_file(folder / "fibres" / io::series_file(scene->muscles[m].name), steps);
     }
     if (!present.empty())
         write_fibre_table(folder / "fibres.csv", present);
@@ -229,7 +248,8 @@ void RunWriter::Impl::commit() {
     std::error_code ignored;
     const bool after_a_run = fs::is_regular_file(target / "summary.json", ignored);
     std::set<fs::path> written;
-    for (fs::recursive_directory_iterator it(folder, ignored), end; !ignored && it != end; it.increment(ignored))
+    for (fs::recursive_directory_iterator it(folder, ignored), end; !ignored && it != end;
+         it.increment(ignored))
         written.insert(it->path().lexically_relative(folder));
     staged.commit(*scene);
     remove_stale(after_a_run, written);

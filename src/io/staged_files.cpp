@@ -2,6 +2,7 @@
 
 #include "fascicle/base/error.hpp"
 #include "fascicle/scene/line_muscles.hpp"
+#include "fascicle/scene/model_motion.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -34,6 +35,8 @@ std::set<fs::path> inputs_of(const Scene& scene) {
             inputs.insert(source.path);
     };
     add(scene.motion_source);
+    if (scene.model_motion != nullptr)
+        add(scene.model_motion->model_source);
     if (scene.line_muscles != nullptr)
         add(scene.line_muscles->source);
     for (const Bone& bone : scene.bones)
@@ -84,7 +87,7 @@ std::vector<fs::path> files_below(const fs::path& folder) {
 }
 
 [[noreturn]] void fail(const fs::path& path, const std::string& what, const std::error_code& error) {
-    throw_error(path.string(), what + ": " + error.message());
+    throw_error(shown_path(path), what + ": " + error.message());
 }
 
 fs::path without_slash(const fs::path& folder) {
@@ -167,7 +170,8 @@ void check_no_input(const fs::path& file, const Scene& scene) {
             throw_error(file.string(), "the scene was read from this file", "another name", ErrorKind::usage);
 }
 
-StagedFiles::StagedFiles(fs::path folder, Use use) : folder_(without_slash(folder)), use_(use), made_(folder_) {
+StagedFiles::StagedFiles(fs::path folder, Use use)
+    : folder_(without_slash(folder)), use_(use), made_(folder_) {
     static std::atomic<int> counter{0};
     if (use == Use::alone)
         lock_.emplace(folder_);

@@ -14,7 +14,7 @@ constexpr double radians = std::numbers::pi / 180.0;
 FibreMeasure::FibreMeasure(const Scene& scene, int muscle, FibreModelPtr model, const Frame& rest)
     : muscle_(muscle), model_(std::move(model)), fibres_(model_->rest),
       series_(scene.muscles.at(static_cast<std::size_t>(muscle)).name, millimetres_per_unit(scene.unit),
-              flexion_sign(scene.timeline)) {
+              flexion_sign(scene)) {
     model_->carrier.carry(*rest.muscle_positions.at(static_cast<std::size_t>(muscle)), fibres_.points);
     rest_ = fibres_;
 }

@@ -9,24 +9,28 @@ namespace {
 
 void append(LineSeries& series, LineTracker& tracker, int frame, std::span<const Pose> poses,
             double angle_rad, double unit_mm) {
-    tracker.set_frame(poses, angle_rad);
+    tracker.set_frame(poses, angle_rad, frame);
     series.frames.push_back(frame);
     series.angles_rad.push_back(angle_rad);
     for (std::size_t m = 0; m < tracker.muscle_count(); ++m) {
         const LineState state = tracker.measure(m);
         series.lengths_mm.push_back(unit_mm * state.length);
         series.moment_arms_mm.push_back(unit_mm * state.moment_arm);
+        for (const int c : tracker.coordinates())
+            series.coordinate_arms_mm.push_back(unit_mm * tracker.moment_arm_about(m, c));
     }
 }
 
 void finish(LineSeries& series, const LineTracker& tracker, const Scene& scene) {
     for (std::size_t m = 0; m < tracker.muscle_count(); ++m)
         series.muscles.push_back(tracker.muscle_name(m));
+    for (const int c : tracker.coordinates())
+        series.coordinates.push_back(
+            scene.line_muscles->model->skeleton.coordinates[static_cast<std::size_t>(c)].name);
     series.exact_arms = tracker.exact();
     if (!series.exact_arms)
-        series.moment_arms_mm =
-            excursion_arms(series.angles_rad, series.lengths_mm, static_cast<int>(series.muscles.size()),
-                           flexion_sign(scene.timeline));
+        series.moment_arms_mm = excursion_arms(series.angles_rad, series.lengths_mm,
+                                               static_cast<int>(series.muscles.size()), flexion_sign(scene));
 }
 
 } // namespace

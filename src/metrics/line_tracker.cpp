@@ -38,13 +38,29 @@ bool turns_with_hinge(const Scene& scene, int bone, const Hinge& hinge) {
 
 LineTracker::LineTracker(const Scene& scene)
     : lines_((lines_of(scene), scene.line_muscles)), solver_(*lines_->model),
-      units_(scene_units_per_metre(scene.unit)), sign_(flexion_sign(scene.timeline)),
+      units_(scene_units_per_metre(scene.unit)), sign_(flexion_sign(scene)),
       first_angle_(scene.timeline.angle_rad(0)), coordinate_(hinge_coordinate(*lines_, scene)),
       bones_(scene.bones.size()) {
     for (const std::string& bone : lines_->bone_of_body)
         bone_of_.push_back(bone.empty() ? -1 : scene.bone_index(bone));
-    find_turning_bodies(scene);
+    if (model_motion_in_force(scene) != nullptr && scene.model_motion->model == lines_->model) {
+        trial_ = scene.model_motion;
+        for (const int c : trial_->moving)
+            if (lines_->model->skeleton.coordinates[static_cast<std::size_t>(c)].kind ==
+                CoordinateKind::rotational)
+                turning_.push_back(c);
+        exact_ = trial_->coordinate >= 0;
+    } else {
+        find_turning_bodies(scene);
+    }
     set_frame(nullptr);
+}
+
+bool LineTracker::has_bones(std::size_t m) const {
+    const std::vector<PathPoint>& points = lines_->model->muscles[m].points;
+    return trial_ == nullptr || std::all_of(points.begin(), points.end(), [&](const PathPoint& point) {
+               return bone_of_[static_cast<std::size_t>(point.body)] >= 0;
+           });
 }
 
 void LineTracker::find_turning_bodies(const Scene& scene) {
@@ -72,8 +88,19 @@ void LineTracker::find_turning_bodies(const Scene& scene) {
     }
 }
 
-void LineTracker::set_frame(std::span<const Pose> bone_poses, double angle_rad) {
+void LineTracker::set_trial_frame(int frame) {
+    posture_.q.assign(trial_->at(frame).begin(), trial_->at(frame).end());
+    std::vector<Pose> poses;
+    place_bodies(lines_->model->skeleton, posture_.q, poses);
+    posture_.poses.resize(poses.size());
+    for (std::size_t b = 0; b < poses.size(); ++b)
+        posture_.poses[b] = trial_->body_pose(b, frame, poses);
+}
+
+void LineTracker::set_frame(std::span<const Pose> bone_poses, double angle_rad, int frame) {
     FASCICLE_ASSERT(bone_poses.size() == bones_);
+    if (trial_ != nullptr && frame >= 0 && frame < trial_->frame_count())
+        return set_trial_frame(frame);
     values_ = lines_->rest_values;
     if (coordinate_.index >= 0)
         values_[static_cast<std::size_t>(coordinate_.index)] +=
@@ -91,16 +118,40 @@ void LineTracker::set_frame(std::span<const Pose> bone_poses, double angle_rad) 
 
 void LineTracker::set_frame(const Frame* frame) {
     if (frame != nullptr)
-        set_frame(frame->bone_poses, frame->angle_rad);
+        set_frame(frame->bone_poses, frame->angle_rad, frame->index);
     else
-        set_frame(std::vector<Pose>(bones_), first_angle_);
+        set_frame(std::vector<Pose>(bones_), first_angle_, 0);
+}
+
+/// Of the path that was solved last. The twists are those of the model in its ground, turned into the scene's axes.
+double LineTracker::model_arm(int coordinate) {
+    const Skeleton& skeleton = lines_->model->skeleton;
+    std::vector<double> rates;
+    std::vector<Twist> twists;
+    std::vector<Pose> poses;
+    place_bodies(skeleton, posture_.q, poses);
+    coordinate_rates(skeleton, posture_.q, coordinate, rates);
+    body_twists(skeleton, posture_.q, rates, poses, twists);
+    for (Twist& twist : twists) {
+        twist.angular = trial_->ground.rotation * twist.angular;
+        twist.linear =
+            trial_->ground.rotation * twist.linear - twist.angular.cross(trial_->ground.translation);
+    }
+    return solver_.moment_arm(twists, rates, posture_);
+}
+
+double LineTracker::moment_arm_about(std::size_t m, int coordinate) {
+    FASCICLE_ASSERT(trial_ != nullptr);
+    solver_.solve(static_cast<int>(m), posture_);
+    return units_ * model_arm(coordinate);
 }
 
 LineState LineTracker::measure(std::size_t m, bool with_polyline) {
     LineState state;
     state.length = units_ * solver_.solve(static_cast<int>(m), posture_).length;
-    state.moment_arm = exact_ ? sign_ * units_ * solver_.moment_arm(twists_, rates_, posture_)
-                              : std::numeric_limits<double>::quiet_NaN();
+    state.moment_arm = trial_ != nullptr && exact_ ? units_ * model_arm(trial_->coordinate)
+                       : exact_ ? sign_ * units_ * solver_.moment_arm(twists_, rates_, posture_)
+                                : std::numeric_limits<double>::quiet_NaN();
     if (with_polyline) {
         solver_.draw(posture_, state.polyline);
         for (Vec3& p : state.polyline)

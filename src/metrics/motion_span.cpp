@@ -3,6 +3,7 @@
 #include "fascicle/metrics/moment_arm.hpp"
 
 #include "fascicle/base/error.hpp"
+#include "fascicle/scene/model_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -101,6 +102,10 @@ double flexion_sign(const Timeline& timeline) {
             farthest.add(key.angle_rad);
     farthest.add(timeline.angle_rad(timeline.last_frame));
     return farthest.sign();
+}
+
+double flexion_sign(const Scene& scene) {
+    return model_motion_in_force(scene) != nullptr ? 1.0 : flexion_sign(scene.timeline);
 }
 
 std::vector<MotionSpan> motion_spans(std::span<const double> angles_rad) {

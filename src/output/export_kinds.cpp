@@ -1,6 +1,8 @@
 #include "output/export_kinds.hpp"
 
 #include "fascicle/base/assert.hpp"
+#include "fascicle/io/osim_export.hpp"
+#include "output/animation_export.hpp"
 #include "output/export_estimates.hpp"
 #include "output/export_writers.hpp"
 
@@ -12,7 +14,7 @@ namespace fascicle::output {
 namespace fs = std::filesystem;
 
 std::span<const ExportKindRow> export_kinds() {
-    static constexpr std::array<ExportKindRow, 10> rows{{
+    static constexpr std::array<ExportKindRow, 17> rows{{
         {"picture",
          "Picture",
          "The shown frame as a PNG, sharper than the screen if you like.",
@@ -48,7 +50,9 @@ std::span<const ExportKindRow> export_kinds() {
          "",
          {.draws = true, .frames = true, .speed = true, .size = true},
          estimate_video,
-         nullptr},
+         nullptr,
+         nullptr,
+         reason_against_video},
         {"meshes",
          "Meshes (VTP series)",
          "Muscles and bones of every frame with attachment, depth and edge extension per point, for "
@@ -78,6 +82,65 @@ std::span<const ExportKindRow> export_kinds() {
          estimate_fibres,
          write_fibres,
          reason_against_fibres},
+        {"glb",
+         "glTF (glb)",
+         "Muscles and fibres with a shape for every n-th frame, bones that move, in metres: one file for "
+         "Blender, browsers "
+         "and slides.",
+         ".glb",
+         "\xEF\x87\xA0",
+         "",
+         {.frames = true, .morphs = true, .up = true},
+         estimate_glb,
+         write_animation},
+        {"usda",
+         "USD (usda)",
+         "Every frame as a time sample: for Omniverse, Houdini, Maya and usdview. A text, and large.",
+         ".usda",
+         "\xEF\x84\xA6",
+         "",
+         {.frames = true, .up = true},
+         estimate_usda,
+         write_animation},
+        {"obj",
+         "OBJ sequence",
+         "An OBJ of every frame with an object for every body, in the scene's unit.",
+         "",
+         "\xEF\x83\x85",
+         "obj",
+         {.frames = true, .folder = true, .up = true},
+         estimate_obj,
+         write_animation},
+        {"pc2",
+         "Point cache (PC2)",
+         "An OBJ of every body, and its moving points beside it, for Blender's Mesh Cache and for Maya.",
+         "",
+         "\xEF\x82\xA0",
+         "pc2",
+         {.frames = true, .folder = true, .up = true},
+         estimate_cache,
+         write_animation},
+        {"mdd",
+         "Point cache (MDD)",
+         "The same as PC2 in the form that LightWave and Houdini read.",
+         "",
+         "\xEF\x82\xA0",
+         "mdd",
+         {.frames = true, .folder = true, .up = true},
+         estimate_cache,
+         write_animation},
+        {"osim",
+         "OpenSim model",
+         "Every fibre as a muscle of an OpenSim model, with the bones, the motion and a report of how near "
+         "it is "
+         "to the run.",
+         ".osim",
+         "\xEF\x83\x81",
+         "",
+         {.up = true},
+         estimate_osim,
+         write_osim,
+         reason_against_osim},
         {"metrics",
          "Numbers (CSV)",
          "Every measured quantity, a row per frame and muscle. What was run is in a .json beside it.",
@@ -87,6 +150,15 @@ std::span<const ExportKindRow> export_kinds() {
          {},
          estimate_metrics,
          write_metrics},
+        {"json",
+         "Numbers (JSON)",
+         "Every measured quantity of muscles and fibres, and what was run, in one document.",
+         ".json",
+         "\xEF\x87\x89",
+         "metrics.json",
+         {},
+         estimate_json,
+         write_metrics_json},
         {"run",
          "Whole run",
          "What \"fascicle simulate --export vtp\" leaves: tables, meshes, summary. Can be opened and "

@@ -37,6 +37,9 @@ struct ExportRequest {
     int morph_targets = 64; ///< at most, 1 or more: shapes beside the first
     char up = 'z';          ///< axis of the scene that points up: 'y' or 'z'
     int threads = 1;        ///< for measuring
+    /// Takes sentences for the user about what was written, when there is something to say; null: nobody asks. Not read before the
+    /// export is done.
+    std::shared_ptr<std::vector<std::string>> told;
 };
 
 /// What an estimate goes by. recording: null before any run.
@@ -65,6 +68,8 @@ struct ExportKindRow {
     void (*write)(const ExportRequest& request, const Recording& recording, const JobControl& control);
     /// Why this recording cannot be written so, as the end of a sentence; empty when it can. Null: any can.
     std::string (*reason_against)(const Recording& recording) = nullptr;
+    /// Why this machine cannot write it. Null: any can.
+    std::string (*reason_here)() = nullptr;
 };
 
 /// In the order in which they are offered.

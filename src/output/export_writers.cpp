@@ -2,19 +2,26 @@
 
 #include "fascicle/base/error.hpp"
 #include "fascicle/base/text.hpp"
+#include "fascicle/io/animation.hpp"
 #include "fascicle/io/fibre_files.hpp"
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/mesh_file.hpp"
+#include "fascicle/io/metrics_json.hpp"
+#include "fascicle/io/osim_export.hpp"
 #include "fascicle/io/output_folder.hpp"
 #include "fascicle/io/run_writer.hpp"
 #include "fascicle/io/series_file.hpp"
+#include "fascicle/io/video_encoder.hpp"
 #include "fascicle/metrics/metric_table.hpp"
 #include "fascicle/metrics/muscle_measure.hpp"
 #include "output/data_export.hpp"
 #include "output/staged_files.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
+#include <cstdlib>
+#include <mutex>
 
 namespace fascicle::output {
 namespace fs = std::filesystem;
@@ -75,9 +82,13 @@ void write_metrics(const ExportRequest& request, const Recording& recording, con
     StagedFiles files(fs::absolute(request.target, ignored).parent_path(), StagedFiles::Use::shared);
     write_run(files.place() / "run", recording, false, request.threads, control);
     const fs::path run = files.place() / "run";
-    fs::rename(run / "summary.json", files.place() / facts.filename());
-    fs::rename(run / "metrics.csv", files.place() / request.target.filename());
-    fs::remove_all(run);
+    std::error_code error;
+    fs::rename(run / "summary.json", files.place() / facts.filename(), error);
+    if (!error)
+        fs::rename(run / "metrics.csv", files.place() / request.target.filename(), error);
+    if (error)
+        throw_error(request.target.string(), "cannot write: " + error.message());
+    fs::remove_all(run, error);
     files.commit(recording.scene());
 }
 
@@ -114,6 +125,12 @@ void write_meshes(const ExportRequest& request, const Recording& recording, cons
     StagedFiles files(request.target);
     MetricsEngine metrics(recording, request.threads);
     std::map<std::string, std::vector<std::pair<double, std::string>>> series;
+    std::vector<std::string> names; // muscles, then bones
+    for (const Muscle& muscle : scene.muscles)
+        names.push_back(muscle.name);
+    for (const Bone& bone : scene.bones)
+        names.push_back(bone.name);
+    names = unique_file_names(names);
     for (std::size_t i = 0; i < places.size(); ++i) {
         control.checkpoint("meshes", double(i) / double(places.size()));
         const FramePtr frame = recording.frame(places[i]);
@@ -129,12 +146,12 @@ void write_meshes(const ExportRequest& request, const Recording& recording, cons
             data.mesh = {*frame->muscle_positions[m], scene.muscles[m].mesh->triangles};
             data.point_arrays = attachment_arrays(recording, m);
             data.point_arrays.insert(data.point_arrays.end(), arrays[m].begin(), arrays[m].end());
-            write(scene.muscles[m].name, data);
+            write(names[m], data);
         }
         for (std::size_t b = 0; b < scene.bones.size(); ++b) {
             MeshData data;
             data.mesh = posed(*scene.bones[b].mesh, frame->bone_poses[b]);
-            write(scene.bones[b].name, data);
+            write(names[scene.muscles.size() + b], data);
         }
     }
     for (const auto& [name, steps] : series)
@@ -188,6 +205,10 @@ void write_fibres(const ExportRequest& request, const Recording& recording, cons
     }
     const double frame_time = scene.parameters.get("solver.frame_time");
     std::vector<const FibreSeries*> present;
+    std::vector<std::string> names;
+    for (const Muscle& muscle : scene.muscles)
+        names.push_back(muscle.name);
+    names = unique_file_names(names);
     const std::vector<const FibreSeries*> series = series_of(metrics, scene.muscles.size());
     for (std::size_t m = 0; m < series.size(); ++m) {
         if (series[m] == nullptr)
@@ -199,14 +220,25 @@ void write_fibres(const ExportRequest& request, const Recording& recording, cons
             control.checkpoint("fibres", 0.7 + 0.3 * double(i) / double(places.size()));
             const FramePtr frame = recording.frame(places[i]);
             models.at(m)->carrier.carry(*frame->muscle_positions[m], fibres.points);
-            const std::string file = numbered(scene.muscles[m].name + "_fibres", frame->index);
+            const std::string file = numbered(names[m] + "_fibres", frame->index);
             write_mesh_file(files.place() / file, fibre_lines(*series[m], frame->index, fibres));
             steps.emplace_back(frame->index * frame_time, file);
         }
-        write_series_file(files.place() / (file_name_for(scene.muscles[m].name) + "_fibres.pvd"), steps);
+        write_series_file(files.place() / (names[m] + "_fibres.pvd"), steps);
     }
     write_fibre_table(files.place() / "fibres.csv", present);
     files.commit(scene);
+}
+
+void write_osim(const ExportRequest& request, const Recording& recording, const JobControl& control) {
+    OsimExportOptions options;
+    options.axes = request.up == 'z' ? AxisMapping::lps_to_opensim : AxisMapping::as_is;
+    options.threads = request.threads;
+    const OsimExportReport report = export_osim(request.target, recording, options, control);
+    if (request.told == nullptr)
+        return;
+    request.told->push_back(report.model.filename().string() + ": " + report.summary);
+    request.told->insert(request.told->end(), report.notes.begin(), report.notes.end());
 }
 
 std::string reason_against_fibres(const Recording& recording) {
@@ -214,6 +246,35 @@ std::string reason_against_fibres(const Recording& recording) {
     return std::any_of(models.begin(), models.end(), [](const FibreModelPtr& m) { return m != nullptr; })
                ? ""
                : "the run has no fibres; choose a fibre method in the parameters";
+}
+
+std::string reason_against_video() {
+    // Looking through $PATH once a second, and when it has changed, is enough: the dialog asks in every frame.
+    static std::mutex mutex;
+    static std::chrono::steady_clock::time_point looked{};
+    static std::string looked_in;
+    static bool found = false;
+    const std::lock_guard lock(mutex);
+    const auto now = std::chrono::steady_clock::now();
+    const char* path = std::getenv("PATH");
+    const std::string folders = path != nullptr ? path : "";
+    if (looked == std::chrono::steady_clock::time_point{} || folders != looked_in ||
+        now - looked > std::chrono::seconds(1)) {
+        found = !find_video_encoder().empty();
+        looked = now;
+        looked_in = folders;
+    }
+    return found ? "" : "no ffmpeg is installed that could make one; a GIF or numbered pictures need none";
+}
+
+void write_metrics_json(const ExportRequest& request, const Recording& recording, const JobControl& control) {
+    std::error_code ignored;
+    StagedFiles files(fs::absolute(request.target, ignored).parent_path(), StagedFiles::Use::shared);
+    const fs::path run = files.place() / "run";
+    write_run(run, recording, false, request.threads, control);
+    write_file(files.place() / request.target.filename(), metrics_json(run));
+    fs::remove_all(run);
+    files.commit(recording.scene());
 }
 
 void write_run_folder(const ExportRequest& request, const Recording& recording, const JobControl& control) {

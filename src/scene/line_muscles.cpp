@@ -3,7 +3,7 @@
 #include "fascicle/base/error.hpp"
 #include "fascicle/base/param_table.hpp"
 #include "fascicle/geometry/bvh.hpp"
-#include "scene/line_posture.hpp"
+#include "fascicle/scene/line_posture.hpp"
 
 #include <algorithm>
 #include <cmath>

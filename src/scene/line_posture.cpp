@@ -1,4 +1,4 @@
-#include "scene/line_posture.hpp"
+#include "fascicle/scene/line_posture.hpp"
 
 #include "fascicle/scene/line_muscles.hpp"
 

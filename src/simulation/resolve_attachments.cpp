@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <optional>
+#include <utility>
 
 namespace fascicle {
 
@@ -58,6 +59,24 @@ void attach_by_areas(const Scene& scene, const Muscle& muscle, const std::vector
     }
 }
 
+void attach_by_nearness(const Scene& scene, const Muscle& muscle, const MeshTopology& topology,
+                        const std::vector<BoneQuery>& bones, std::vector<Attachment>& attachments,
+                        std::vector<char>& taken) {
+    const double limit = scene.parameters.get("attachment.distance_mm") / millimetres_per_unit(scene.unit);
+    const auto attach = [&](AttachmentKind kind, int bone) {
+        add_vertices(attachments, taken, kind, bone,
+                     attach_by_distance(*muscle.mesh, topology,
+                                        bones[static_cast<std::size_t>(bone)].distance, limit));
+    };
+    AttachmentKind next = AttachmentKind::origin;
+    for (const std::string& name :
+         muscle.attach_to) // where all bones move, only their order tells which is the origin
+        if (const int bone = scene.bone_index(name); bone >= 0)
+            attach(std::exchange(next, AttachmentKind::insertion), bone);
+    for (std::size_t b = 0; muscle.attach_to.empty() && b < bones.size(); ++b)
+        attach(bones[b].moves ? AttachmentKind::insertion : AttachmentKind::origin, static_cast<int>(b));
+}
+
 } // namespace
 
 OutlineBone find_outline_bone(const Scene& scene, const AttachmentOutline& outline,
@@ -107,12 +126,7 @@ std::vector<Attachment> resolve_attachments(const Scene& scene, const Muscle& mu
         add_vertices(attachments, taken, outline.kind, target.bone, vertices);
     }
     if (muscle.outlines.empty() && muscle.attach_automatically && nearness)
-        for (std::size_t b = 0; b < bones.size(); ++b) {
-            const double limit = scene.parameters.get("attachment.distance_mm") / unit_mm;
-            add_vertices(
-                attachments, taken, bones[b].moves ? AttachmentKind::insertion : AttachmentKind::origin,
-                static_cast<int>(b), attach_by_distance(*muscle.mesh, topology, bones[b].distance, limit));
-        }
+        attach_by_nearness(scene, muscle, topology, bones, attachments, taken);
     std::erase_if(attachments, [](const Attachment& a) { return a.vertices.empty(); });
     return attachments;
 }

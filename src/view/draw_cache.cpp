@@ -310,6 +310,8 @@ FloatPoints DrawCache::line_paths(const ScenePtr& scene, const FramePtr& frame) 
     lines_->set_frame(frame.get());
     auto ends = std::make_shared<std::vector<render::Vec3f>>();
     for (std::size_t m = 0; m < lines_->muscle_count(); ++m) {
+        if (!lines_->has_bones(m))
+            continue;
         const Points path = lines_->measure(m, true).polyline;
         for (std::size_t i = 0; i + 1 < path.size(); ++i) {
             ends->push_back(narrow(path[i]));

@@ -86,7 +86,7 @@ class FailureTest(ProgramTest):
                 ("--set", "solver.iterations=1.5", "whole"), ("--set", "solver.stiffness=nan", "'nan'"),
                 ("--threads", "--quiet", "--threads"), ("--angle-deg", "3", "2 times"), ("--iterations", "0", "--iterations"), ("--iterations", "many", "'many'"),
                 ("--threads", "0", "--threads"), ("--threads", "-3", "--threads"), ("--every", "0", "--every"),
-                ("--method", "classical", "did you mean 'classic'?"), ("--export", "vtp,gif", "'gif'")):
+                ("--method", "classical", "did you mean 'classic'?"), ("--export", "vtp,bmp", "'bmp'")):
             with self.subTest(option + " " + value):
                 self.fails(2, [option if option != "--set" or "=" not in value else "solver.", expected],
                            *self.source, option, value)

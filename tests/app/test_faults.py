@@ -104,6 +104,12 @@ class FaultTest(ProgramTest):
         command = [PROGRAM, "simulate", *self.source, "--export", "vtp", "--quiet", "--out", self.out]
         self.with_faults(command, lambda out: shutil.copytree(run, out))
 
+    def test_simulate_with_a_model(self):
+        command = [PROGRAM, "simulate", *self.source, "--set", "fibres.method=kukacka", "--set", "fibres.count=4",
+                   "--export", "vtp,osim", "--quiet", "--out", self.out]
+        # The model comes after the last frame: a run without it is kept rather than lost.
+        self.with_faults(command, None, lambda names: reads(self.out), most=20)
+
     def test_simulate_with_pictures(self):
         command = [PROGRAM, "simulate", *self.source, "--export", "vtp,png", "--quiet", "--out", self.out]
         if "without drawing" in self.run_program(*command[1:]).stderr:
@@ -166,11 +172,12 @@ class FaultTest(ProgramTest):
                         subprocess.run([WRITER, what, str(run), str(out)], check=True)
                 # A list without its picture, or a picture that no list names, is whole.
                 self.with_faults([WRITER, what, run, self.out], earlier, lambda names: what == "recent")
-        for what in ("meshes", "mesh", "fibres", "metrics", "run"):
-            if subprocess.run([WRITER, what, str(run), str(self.folder / "trial")], capture_output=True).returncode != 0:
-                continue # built without drawing
-            self.with_faults([WRITER, what, run, self.out], most=20)
-        self.with_faults([WRITER, "autosave", run, self.out])
+        kinds = subprocess.run([WRITER, "kinds"], capture_output=True, text=True) # fails when built without drawing
+        for what in kinds.stdout.split() if kinds.returncode == 0 else []:
+            with self.subTest(what):
+                self.with_faults([WRITER, what, run, self.out], most=10)
+        # The folder that all sessions share stays.
+        self.with_faults([WRITER, "autosave", run, self.out], None, lambda names: not names, most=16)
         self.with_faults([WRITER, "cache", run, self.out], quiet=True)
 
 

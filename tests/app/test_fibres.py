@@ -2,8 +2,10 @@
 import csv
 import json
 import unittest
+from xml.etree import ElementTree
 
 from program import SOURCE_DIR, ProgramTest, file_hashes
+from small_scene import write_scene
 
 
 class FibresTest(ProgramTest):
@@ -64,6 +66,36 @@ class FibresTest(ProgramTest):
         self.check_done(*options)
         self.assertFalse((out / "fibres.csv").exists())
         self.assertNotIn("fibre_strain_mean", self.rows(out / "metrics.csv")[0])
+
+    def test_fibres_become_an_opensim_model(self):
+        out = self.folder / "run"
+        source, _ = write_scene(self.folder / "scene")
+        text = self.check_done("simulate", *source, "--set", "fibres.method=kukacka", "--set", "fibres.count=6",
+                               "--set", "fibres.segments=8", "--export", "osim,vtp", "--out", out)
+        self.assertRegex(text, r"strap\.osim: \d fibres, .* length within 0\.\d\d mm, moment arm within 0\.\d\d mm")
+        files = set(file_hashes(out))
+        self.assertLess({"strap.osim", "strap.mot", "strap_report.csv", "strap_report.json",
+                         "Geometry/fixed.vtp", "Geometry/turning.vtp"}, files)
+        model = ElementTree.parse(out / "strap.osim").getroot()
+        self.assertEqual((model.tag, model.get("Version")), ("OpenSimDocument", "40000"))
+        rows = self.rows(out / "strap_report.csv")
+        muscles = model.findall("./Model/ForceSet/objects/Millard2012EquilibriumMuscle")
+        self.assertEqual([m.get("name") for m in muscles], [row["name"] for row in rows])
+        self.assertEqual(rows[0]["name"], "strap_f01")
+        report = json.loads((out / "strap_report.json").read_text())
+        self.assertEqual((report["fitted_frames"], report["other_frames"], report["axes"]), (7, 6, "opensim"))
+        self.assertLess(report["largest"]["length_difference_mm"], 1)
+        # Of a folder: the same motion, fibres bound anew.
+        again = self.folder / "again.osim"
+        self.check_done("export", out, "--out", again, "--up", "y")
+        self.assertEqual(len(self.rows(self.folder / "again_report.csv")), len(rows))
+        self.assertEqual(json.loads((self.folder / "again_report.json").read_text())["axes"], "as-is")
+
+    def test_an_opensim_model_needs_fibres(self):
+        out = self.folder / "none"
+        self.check_error(2, ["--export osim", "fibres.method"], "simulate", "--scene", "cylinder", "--export", "osim",
+                         "--out", out)
+        self.assertFalse(out.exists())
 
     def test_what_cannot_be_decomposed_says_why(self):
         out = self.folder / "out"

@@ -1,6 +1,7 @@
 #include "editor/dialogs/dialogs.hpp"
 #include "editor/driver.hpp"
 #include "editor/features.hpp"
+#include "fascicle/io/animation_file.hpp"
 #include "fascicle/io/csv.hpp"
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/mesh_file.hpp"
@@ -9,6 +10,7 @@
 #include "render/osmesa_context.hpp"
 #include "support/temp_dir.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <gif_lib.h>
 #include <thread>
@@ -179,6 +181,58 @@ TEST_CASE("Export of meshes, numbers, a whole run and a report", "[editor][ui][e
     CHECK(html.find("<svg") != std::string::npos);
     CHECK(html.find("data:image/png;base64,") != std::string::npos);
     CHECK(html.find("Volume ratio") != std::string::npos);
+}
+
+TEST_CASE("Export of a glTF with the shapes that were asked for, of a USD and of point caches",
+          "[editor][ui][export]") {
+    Session s(9);
+    s.choose("glb");
+    CHECK(s.d.has("export/morph_targets"));
+    CHECK(s.d.has("export/up/y"));
+    CHECK_FALSE(s.d.has("export/fps"));
+    s.d.double_click("export/morph_targets");
+    s.d.key(key_a, {.ctrl = true});
+    s.d.type("4");
+    s.d.click("export/up/y");
+    CHECK(s.d.state().exporting.morph_targets == 4);
+    s.run();
+    Animation found = read_animation(s.file("small.glb"));
+    CHECK(found.frames == std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7, 8}); // of the bone that turns
+    CHECK(found.provenance.find("\"shape_frames\":[0,2,4,6,8]") != std::string::npos);
+    const RecordingPtr recording = s.d.run()->recording();
+    const auto muscle = std::find_if(found.bodies.begin(), found.bodies.end(),
+                                     [](const AnimatedBody& body) { return body.name == "muscle"; });
+    REQUIRE(muscle != found.bodies.end());
+    Points points;
+    for (const int k : {0, 4, 8}) {
+        points_in_frame(*muscle, static_cast<std::size_t>(k), points);
+        const Vec3 wanted = (*recording->frame(k)->muscle_positions[0])[7] / 1000; // y is up in it already
+        CHECK((points[7] - wanted).norm() < 1e-7);
+    }
+
+    s.choose("usda");
+    CHECK_FALSE(s.d.has("export/morph_targets"));
+    s.d.click("export/some_frames");
+    s.d.state().exporting.first = 2;
+    s.d.state().exporting.last = 8;
+    s.d.state().exporting.step = 3;
+    s.run();
+    found = read_animation(s.file("small.usda"));
+    CHECK(found.frames == std::vector<int>{2, 5, 8});
+    CHECK(found.up == 'y');
+    points_in_frame(found.bodies.at(0), 2, points);
+    CHECK((points[7] - (*recording->frame(8)->muscle_positions[0])[7]).norm() < 1e-4);
+
+    s.choose("pc2");
+    s.name("cache");
+    s.d.state().exporting.last = 7; // which no step falls on
+    s.run();
+    found = read_animation(s.file("cache") / "muscle.pc2");
+    CHECK(found.frames == std::vector<int>{2, 5});
+    CHECK(fs::exists(s.file("cache") / "fixed.obj"));
+    s.choose("json");
+    s.run();
+    CHECK(read_file(s.file("cache.json")).find("\"fascicle metrics\"") != std::string::npos);
 }
 
 TEST_CASE("Kinds that cannot be exported say why", "[editor][ui][export]") {

@@ -18,6 +18,7 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <zlib.h>
 
 using namespace fascicle;
 using namespace fascicle::test;
@@ -145,13 +146,61 @@ const std::vector<std::pair<std::string, std::string>>& templates() {
     return rows;
 }
 
-/// A file of many points at one place, and triangles over them.
-MeshData coincident(int points, int triangles) {
-    MeshData data;
-    data.mesh.positions.assign(static_cast<std::size_t>(points), Vec3(1, 2, 3));
-    for (int i = 0; i < triangles; ++i)
-        data.mesh.triangles.push_back({i, i + 1, (i + 7) % points});
-    return data;
+std::string repeated(const std::string& text, int times) {
+    std::string out;
+    out.reserve(text.size() * static_cast<std::size_t>(times));
+    for (int i = 0; i < times; ++i)
+        out += text;
+    return out;
+}
+
+/// A file of a million points at one place and a thousand triangles over them; of STL, which has corners alone, of triangles of
+/// three equal corners.
+std::string coincident(const std::string& extension) {
+    const int points = 1000000;
+    std::string triangles;
+    for (int i = 0; i < 1000; ++i) {
+        const int first = extension == ".obj" ? i + 1 : i;
+        triangles += (extension == ".obj"   ? "f "
+                      : extension == ".vtp" ? ""
+                                            : "3 ") +
+                     std::to_string(first) + ' ' + std::to_string(first + 1) + ' ' +
+                     std::to_string(first + 7) + '\n';
+    }
+    const std::string n = std::to_string(points), cloud = repeated("1 2 3\n", points);
+    if (extension == ".vtk")
+        return "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS " + n + " float\n" + cloud +
+               "POLYGONS 1000 4000\n" + triangles;
+    if (extension == ".vtp") {
+        std::string offsets;
+        for (int i = 1; i <= 1000; ++i)
+            offsets += std::to_string(3 * i) + ' ';
+        return "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"" + n +
+               "\" NumberOfPolys=\"1000\"><Points><DataArray type=\"Float64\" NumberOfComponents=\"3\">" +
+               cloud + "</DataArray></Points><Polys><DataArray type=\"Int32\" Name=\"connectivity\">" +
+               triangles + "</DataArray><DataArray type=\"Int32\" Name=\"offsets\">" + offsets +
+               "</DataArray></Polys></Piece></PolyData></VTKFile>";
+    }
+    if (extension == ".ply")
+        return "ply\nformat ascii 1.0\nelement vertex " + n +
+               "\nproperty float x\nproperty float y\nproperty float z\nelement face 1000\nproperty list "
+               "uchar int "
+               "vertex_indices\nend_header\n" +
+               cloud + triangles;
+    if (extension == ".off")
+        return "OFF\n" + n + " 1000 0\n" + cloud + triangles;
+    if (extension == ".obj")
+        return repeated("v 1 2 3\n", points) + triangles;
+    if (extension != ".stl") {
+        MeshData data;
+        data.mesh.positions.assign(static_cast<std::size_t>(points), Vec3(1, 2, 3));
+        for (int i = 0; i < 1000; ++i)
+            data.mesh.triangles.push_back({i, i + 1, i + 7});
+        return written(format_for_writing("a" + extension), data);
+    }
+    const std::string corner = raw(1.0f) + raw(2.0f) + raw(3.0f);
+    return std::string(80, ' ') + raw<std::uint32_t>(333334) +
+           repeated(std::string(12, '\0') + corner + corner + corner + "ab", 333334);
 }
 
 } // namespace
@@ -252,15 +301,7 @@ TEST_CASE("hostile meshes: coordinates that are none, and huge ones", "[io][host
 TEST_CASE("hostile meshes: a million points at one place", "[io][hostile]") {
     for (const MeshFormat& format : mesh_formats()) {
         INFO(format.name);
-        // Of STL, where every corner is written: 300000 triangles of three equal corners.
-        const bool corners = !format.holds.vertex_order;
-        const std::string bytes = written(format, corners ? coincident(3, 1) : coincident(1000000, 1000));
-        std::string file = bytes;
-        if (corners) {
-            file.replace(80, 4, raw<std::uint32_t>(300000));
-            for (int i = 1; i < 300000; ++i)
-                file.append(bytes, 84, 50);
-        }
+        const std::string file = coincident(format.extensions[0]);
         const auto start = std::chrono::steady_clock::now();
         CHECK(in_child(file, "a" + format.extensions[0]) == mesh);
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
@@ -282,6 +323,31 @@ TEST_CASE("hostile meshes: nothing, and nothing but noise", "[io][hostile]") {
         CHECK(in_child(noise, name) == error);
         CHECK(in_child(std::string(20000, '\0'), name) == error);
         CHECK(in_child(std::string(20000, '9'), name) == error);
+    }
+}
+
+TEST_CASE("hostile meshes: compressed zeros stay within the limit of numbers, and the memory with them",
+          "[io][hostile]") {
+    // 4 kB that inflate to 4 MB of bytes, each a number of 8 bytes: just within the limit; then three of them: beyond.
+    const std::string zeros(4000000, '\0');
+    uLongf size = compressBound(static_cast<uLong>(zeros.size()));
+    std::string packed(size, '\0');
+    REQUIRE(compress(reinterpret_cast<Bytef*>(packed.data()), &size,
+                     reinterpret_cast<const Bytef*>(zeros.data()), static_cast<uLong>(zeros.size())) == Z_OK);
+    const std::string data = raw<std::uint32_t>(1) + raw<std::uint32_t>(4000000) + raw<std::uint32_t>(0) +
+                             raw(static_cast<std::uint32_t>(size)) + packed.substr(0, size);
+    for (const int arrays : {1, 3}) {
+        const std::string file =
+            "<VTKFile type=\"PolyData\" compressor=\"vtkZLibDataCompressor\"><PolyData><Piece "
+            "NumberOfPoints=\"4000000\"><PointData>" +
+            repeated("<DataArray Name=\"a\" type=\"Int8\" format=\"appended\" offset=\"0\"/>", arrays) +
+            "</PointData></Piece></PolyData><AppendedData encoding=\"raw\">_" + data +
+            "</AppendedData></VTKFile>";
+        REQUIRE(file.size() < 5000);
+        CHECK(in_child(file, "zeros.vtp") == error);
+        CHECK_THROWS_WITH(
+            read_mesh_bytes(file, "zeros.vtp"),
+            Contains(arrays == 1 ? "a piece without <Points>" : "than a file of this size is trusted with"));
     }
 }
 
@@ -334,7 +400,8 @@ TEST_CASE("hostile XML: deep nesting, entities, endless names", "[io][hostile]")
     CHECK(named[0].second == "&lol;&<");
 }
 
-TEST_CASE("a series of files is read back as it was written, and damaged ones end in an error", "[io][hostile]") {
+TEST_CASE("a series of files is read back as it was written, and damaged ones end in an error",
+          "[io][hostile]") {
     const std::vector<std::pair<double, std::string>> steps{
         {0, "frames/a & b.0000.vtp"}, {1.0 / 3, "frames/\"größer\".0001.vtp"}, {1e9, "../x.vtp"}};
     std::ostringstream out;

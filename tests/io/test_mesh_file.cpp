@@ -16,6 +16,16 @@ using namespace fascicle;
 using namespace fascicle::test;
 using Catch::Matchers::Contains;
 
+namespace {
+
+Points as_floats(Points points) {
+    for (Vec3& p : points)
+        p = p.cast<float>().cast<double>();
+    return points;
+}
+
+} // namespace
+
 TEST_CASE("every format that writes reads its own files, with Umlauts in the path", "[io][mesh_file]") {
     const TempDir dir;
     for (const MeshFormat& format : mesh_formats()) {
@@ -29,7 +39,10 @@ TEST_CASE("every format that writes reads its own files, with Umlauts in the pat
         write_mesh_file(path, data);
         const MeshFile file = read_mesh_file(path);
         CHECK(file.format == format.name);
-        CHECK(file.mesh.positions == data.mesh.positions);
+        if (format.holds.doubles)
+            CHECK(file.mesh.positions == data.mesh.positions);
+        else // as text a float has a few digits: the same as a float
+            CHECK(as_floats(file.mesh.positions) == as_floats(data.mesh.positions));
         CHECK(file.mesh.triangles == data.mesh.triangles);
         CHECK(file.report.closed());
         CHECK(file.hash.size() == 16);
@@ -89,6 +102,8 @@ TEST_CASE("what a format cannot hold is dropped and said", "[io][mesh_file]") {
         {"VTK XML", {array_of_lines}},
         {"PLY", {"lines are written as edges of two points", array_of_lines}},
         {"OBJ", {"arrays of points, which OBJ cannot hold here: depth, RGB", array_of_lines}},
+        {"glTF 2.0", {"cannot hold here: depth, RGB", array_of_lines, "rounded to float"}},
+        {"USD text", {"cannot hold here: depth, RGB", array_of_lines, "rounded to float"}},
         {"OFF", {"2 lines, which OFF cannot hold", "cannot hold here: depth", array_of_lines}},
         {"STL",
          {"2 lines", "depth, RGB", array_of_lines, "the 8 vertices come back in the order",

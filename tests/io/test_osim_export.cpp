@@ -73,7 +73,7 @@ TEST_CASE("A rope round a cylinder keeps its length and moment arm as an OpenSim
     const RecordingPtr run = wrapped_run();
     OsimExportOptions options;
     options.tolerance_mm = 0.05;
-    const OsimExportReport report = export_osim(folder.path(), *run, options);
+    const OsimExportReport report = export_osim(folder.path() / "ropes.osim", *run, options);
     CHECK(report.model == folder.path() / "ropes.osim");
     CHECK(report.coordinate == "block_angle");
     const OsimModel back = read_osim_file(report.model);
@@ -104,11 +104,12 @@ TEST_CASE("A rope round a cylinder keeps its length and moment arm as an OpenSim
     CHECK(report.bone_mm < 1e-6);
     CHECK(report.largest(&OsimFibreReport::length_mm) < 0.05);
     CHECK(report.largest(&OsimFibreReport::moment_arm_mm) < 0.05);
+    CHECK(report.largest(&OsimFibreReport::exact_moment_arm_mm) < 0.05);
     CHECK(report.largest(&OsimFibreReport::opensim_moment_arm_mm) < 0.05);
     CHECK(report.largest(&OsimFibreReport::point_mm) < 0.05);
     // Less is asked for: fewer knots.
     options.tolerance_mm = 1;
-    const OsimExportReport coarse = export_osim(folder.path(), *run, options);
+    const OsimExportReport coarse = export_osim(folder.path() / "ropes.osim", *run, options);
     CHECK(coarse.fibres[0].knots < report.fibres[0].knots);
     CHECK(coarse.largest(&OsimFibreReport::length_mm) < 1);
     CHECK(std::isnan(report.largest(&OsimFibreReport::length_other_frames_mm)));
@@ -124,7 +125,7 @@ TEST_CASE("Points that a bone carries are fixed, between them bodies take turns"
                                                 {{"strap", rope.levels(), [=](int r, int level, int k) {
                                                       return rope.place(r, level, timeline.angle_rad(k));
                                                   }}});
-        const OsimExportReport report = export_osim(folder.path(), *run);
+        const OsimExportReport report = export_osim(folder.path() / "ropes.osim", *run);
         const LineModel model = read_osim_file(report.model).model;
         const std::vector<PathPoint>& points = model.muscles.at(0).points;
         REQUIRE(points.size() == 30);
@@ -148,7 +149,7 @@ TEST_CASE("Points that a bone carries are fixed, between them bodies take turns"
 TEST_CASE("The report of an OpenSim model is what measuring the file again gives", "[io][osim_export]") {
     const TempDir folder;
     const RecordingPtr run = wrapped_run();
-    const OsimExportReport report = export_osim(folder.path(), *run);
+    const OsimExportReport report = export_osim(folder.path() / "ropes.osim", *run);
     const LineModel model = read_osim_file(report.model).model;
     const WrappedRope rope;
     for (int f = 0; f < 4; ++f) {
@@ -159,8 +160,7 @@ TEST_CASE("The report of an OpenSim model is what measuring the file again gives
         const OsimFibreReport& row = report.fibres[static_cast<std::size_t>(f)];
         CHECK(row.length_mm == Approx(length).margin(1e-7));
         CHECK(row.fibre == f);
-        CHECK(row.opensim_moment_arm_mm ==
-              Approx(std::max(row.moment_arm_mm, row.moment_arm_between_mm)).margin(1e-6));
+        CHECK(row.opensim_moment_arm_mm == Approx(row.exact_moment_arm_mm).margin(1e-6));
     }
     const std::string table = read_file(report.table), facts = read_file(report.facts);
     CHECK(table.starts_with("muscle,fibre,name,points,moving_points,knots,length_difference_mm,"));
@@ -178,7 +178,7 @@ TEST_CASE("Straight fibres have two points and none that moves", "[io][osim_expo
         return Vec3(from + (to - from) * level / 6.0);
     };
     const RecordingPtr run = test::rope_run({"base", "block"}, timeline, {{"strap", 6, place}});
-    const OsimExportReport report = export_osim(folder.path(), *run);
+    const OsimExportReport report = export_osim(folder.path() / "ropes.osim", *run);
     const LineModel model = read_osim_file(report.model).model;
     for (const LineMuscle& muscle : model.muscles) {
         CHECK(muscle.points.size() == 2);
@@ -204,8 +204,9 @@ TEST_CASE("A way back with other shapes is reported, not hidden", "[io][osim_exp
             p += 2 * Vec3(0, p.y(), p.z()).normalized();
         return p;
     };
-    const OsimExportReport report = export_osim(
-        folder.path(), *test::rope_run({"base", "block"}, timeline, {{"strap", rope.levels(), place}}));
+    const OsimExportReport report =
+        export_osim(folder.path() / "ropes.osim",
+                    *test::rope_run({"base", "block"}, timeline, {{"strap", rope.levels(), place}}));
     CHECK(report.fitted_frames == 41);
     CHECK(report.other_frames == 40);
     CHECK(report.largest(&OsimFibreReport::length_mm) < 0.2);
@@ -234,9 +235,10 @@ TEST_CASE("Any motion of several bones becomes functions of its progress", "[io]
         return p;
     };
     const RecordingPtr run = test::rope_run({"base", "arm", "slide"}, timeline, {{"strap", 10, place}});
-    CHECK_THROWS_WITH(export_osim(folder.path(), *run, {AxisMapping::lps_to_opensim, OsimCoordinate::joint}),
-                      Catch::Contains("hinge"));
-    const OsimExportReport report = export_osim(folder.path(), *run);
+    CHECK_THROWS_WITH(
+        export_osim(folder.path() / "ropes.osim", *run, {AxisMapping::lps_to_opensim, OsimCoordinate::joint}),
+        Catch::Contains("hinge"));
+    const OsimExportReport report = export_osim(folder.path() / "ropes.osim", *run);
     CHECK(report.coordinate == "progress");
     CHECK(report.fitted_frames == 61);
     CHECK(report.bone_mm < 0.01);
@@ -270,7 +272,8 @@ TEST_CASE("Time stands in for a hinge's angle when that is wanted, and tells the
     const TempDir folder;
     OsimExportOptions options;
     options.coordinate = OsimCoordinate::time;
-    const OsimExportReport report = export_osim(folder.path(), *wrapped_run({30, 30, 0}), options);
+    const OsimExportReport report =
+        export_osim(folder.path() / "ropes.osim", *wrapped_run({30, 30, 0}), options);
     CHECK(report.coordinate == "progress");
     CHECK(report.fitted_frames == 61);
     CHECK(report.other_frames == 0);
@@ -281,7 +284,7 @@ TEST_CASE("Time stands in for a hinge's angle when that is wanted, and tells the
 TEST_CASE("The motion beside a hinge's model is in degrees and gives the run's angles", "[io][osim_export]") {
     const TempDir folder;
     const RecordingPtr run = wrapped_run({40, 20, 5});
-    const OsimExportReport report = export_osim(folder.path(), *run);
+    const OsimExportReport report = export_osim(folder.path() / "ropes.osim", *run);
     const StorageTable motion = read_storage_file(report.motion);
     CHECK(motion.in_degrees);
     CHECK(motion.columns == std::vector<std::string>{"time", "block_angle"});
@@ -302,7 +305,7 @@ TEST_CASE("Bone meshes lie beside the model, turned and not mirrored", "[io][osi
     for (const AxisMapping axes : {AxisMapping::lps_to_opensim, AxisMapping::as_is}) {
         OsimExportOptions options;
         options.axes = axes;
-        const OsimExportReport report = export_osim(folder.path(), *run, options);
+        const OsimExportReport report = export_osim(folder.path() / "ropes.osim", *run, options);
         const MeshFile mesh = read_mesh_file(folder.path() / "Geometry" / "block.vtp");
         CHECK(mesh.report.lines().empty());
         CHECK(signed_volume(mesh.mesh.positions, mesh.mesh.triangles) == Approx(10 * 12 * 14 * 1e-9));
@@ -341,7 +344,8 @@ TEST_CASE("Forces share the muscle's cross-section, lengths are those at rest", 
     const RecordingPtr run = wrapped_run();
     OsimExportOptions options;
     options.specific_tension = 30;
-    const LineModel model = read_osim_file(export_osim(folder.path(), *run, options).model).model;
+    const LineModel model =
+        read_osim_file(export_osim(folder.path() / "ropes.osim", *run, options).model).model;
     const WrappedRope rope;
     double force = 0, lengths = 0;
     for (int f = 0; f < 4; ++f) {
@@ -373,7 +377,7 @@ TEST_CASE("Names of any letters become legal and stay apart in an OpenSim model"
                                            rope.levels(), place},
                                           {"\xe7\xad\x8b", rope.levels(), place}};
     const RecordingPtr run = test::rope_run({"ground", "../fe mur & co"}, timeline, muscles);
-    const OsimExportReport report = export_osim(folder.path(), *run);
+    const OsimExportReport report = export_osim(folder.path() / "ropes.osim", *run);
     const LineModel model = read_osim_file(report.model).model;
     REQUIRE(model.muscles.size() == 16);
     std::set<std::string> names;
@@ -399,16 +403,17 @@ TEST_CASE("What can't be an OpenSim model is an error that leaves nothing", "[io
     const auto place = [=](int r, int level, int k) { return rope.place(r, level, turning.angle_rad(k)); };
     const std::vector<RopeMuscle> muscles{{"strap", rope.levels(), place}};
     const std::filesystem::path out = folder.path() / "out";
-    CHECK_THROWS_WITH(export_osim(out, *test::rope_run({"base", "block"}, turning, muscles, false)),
-                      Catch::Contains("the run has no fibres") && Catch::Contains("fibres.method"));
+    CHECK_THROWS_WITH(
+        export_osim(out / "ropes.osim", *test::rope_run({"base", "block"}, turning, muscles, false)),
+        Catch::Contains("the run has no fibres") && Catch::Contains("fibres.method"));
     Timeline still = turning;
     still.bone_tracks.clear();
     still.angles.clear();
-    CHECK_THROWS_WITH(export_osim(out, *test::rope_run({"base", "block"}, still, muscles)),
+    CHECK_THROWS_WITH(export_osim(out / "ropes.osim", *test::rope_run({"base", "block"}, still, muscles)),
                       Catch::Contains("no bone moves"));
     const RecordingPtr run = test::rope_run({"base", "block"}, turning, muscles);
     std::atomic<bool> cancel{true};
-    CHECK_THROWS_AS(export_osim(out, *run, {}, {{}, &cancel}), Cancelled);
+    CHECK_THROWS_AS(export_osim(out / "ropes.osim", *run, {}, {{}, &cancel}), Cancelled);
     CHECK_FALSE(std::filesystem::exists(out));
     // An input is never replaced.
     Scene scene = run->scene();
@@ -417,7 +422,7 @@ TEST_CASE("What can't be an OpenSim model is an error that leaves nothing", "[io
     other.set_fibres(run->fibres());
     for (int k = 0; k < run->frame_count(); ++k)
         other.append(run->frame(k));
-    CHECK_THROWS_WITH(export_osim(out, other), Catch::Contains("block.vtp"));
+    CHECK_THROWS_WITH(export_osim(out / "ropes.osim", other), Catch::Contains("block.vtp"));
     CHECK_FALSE(std::filesystem::exists(out));
 }
 
@@ -425,7 +430,7 @@ TEST_CASE("An OpenSim model is the same for any number of threads", "[io][osim_e
     const TempDir folder;
     const RecordingPtr run = wrapped_run();
     OsimExportOptions options;
-    const std::string one = read_file(export_osim(folder.path(), *run, options).model);
+    const std::string one = read_file(export_osim(folder.path() / "ropes.osim", *run, options).model);
     options.threads = 3;
-    CHECK(read_file(export_osim(folder.path(), *run, options).model) == one);
+    CHECK(read_file(export_osim(folder.path() / "ropes.osim", *run, options).model) == one);
 }

@@ -192,7 +192,7 @@ TEST_CASE("a run read back is the run", "[io][run]") {
     CHECK_THROWS_WITH(RunReader(dir.path()), Contains("motion.csv: cannot read"));
 }
 
-TEST_CASE("a run that is stopped or dies leaves whole files only", "[io][run]") {
+TEST_CASE("a run that dies leaves the run before as it was", "[io][run]") {
     const TempDir dir;
     RunOutputOptions options;
     options.vtp = true;
@@ -204,9 +204,18 @@ TEST_CASE("a run that is stopped or dies leaves whole files only", "[io][run]") 
             writer.add_frame(make_frame(*scene, k), {{1, 2}, {3, 4}});
         // no finish(): an error on the way
     }
-    for (const std::string& name : listing(dir.path()))
-        CHECK((name.find(".vtp") != std::string::npos && name.find(".part") == std::string::npos));
-    CHECK_NOTHROW(read_mesh_file(dir.path() / "frames/strap.0002.vtp"));
+    CHECK(fs::is_empty(dir.path()));
+    run(dir.path(), 1, options);
+    const std::string before = read_file(dir.path() / "frames/strap.0001.vtp");
+    {
+        const ScenePtr scene = make_scene();
+        RunWriter writer(dir.path(), scene, options);
+        for (int k = 0; k < 3; ++k)
+            writer.add_frame(make_frame(*scene, k), {{1, 2}, {3, 4}});
+        CHECK_THROWS_WITH(RunWriter(dir.path(), scene, options), Contains("another program is writing"));
+    }
+    CHECK(RunReader(dir.path()).frames() == std::vector<int>{0, 1});
+    CHECK(read_file(dir.path() / "frames/strap.0001.vtp") == before);
 }
 
 TEST_CASE("a shorter run in the same folder leaves nothing of the longer one", "[io][run]") {
@@ -222,6 +231,44 @@ TEST_CASE("a shorter run in the same folder leaves nothing of the longer one", "
     CHECK(fs::exists(dir.path() / "frames/notes.txt"));
     CHECK(fs::exists(dir.path() / "frames/strap.mean.vtp"));
     CHECK(RunReader(dir.path()).frames() == std::vector<int>{0, 1, 2});
+}
+
+TEST_CASE("what is left out of a run does not stay from the one before", "[io][run]") {
+    const TempDir dir;
+    RunOutputOptions options;
+    options.vtp = true;
+    run(dir.path(), 2, options);
+    for (const char* old : {"rest.png", "fibres/strap.0000.vtp", "mine.png"})
+        write_file(dir.path() / old, "old");
+    run(dir.path(), 1, {});
+    CHECK(listing(dir.path()) == std::vector<std::string>{"bones/femur.vtp", "bones/hip, right.vtp",
+                                                          "metrics.csv", "mine.png", "motion.csv",
+                                                          "summary.json"});
+}
+
+TEST_CASE("further files of a run come with it, and a run without them is kept", "[io][run]") {
+    const TempDir dir;
+    const ScenePtr scene = make_scene();
+    for (const bool fails : {false, true}) {
+        Recording recording(scene);
+        RunOutputOptions options;
+        options.metric_columns = columns;
+        RunWriter writer(dir.path(), scene, options);
+        recording.append(make_frame(*scene, 0));
+        writer.add_frame(recording.last_frame(), {{1, 2}, {3, 4}});
+        recording.finish(RunState::finished);
+        const auto more = [&](const fs::path& place) {
+            if (fails)
+                throw Error("no pictures");
+            write_file(place / "rest.png", "picture");
+        };
+        if (fails)
+            CHECK_THROWS_WITH(writer.finish(recording, {}, more), "no pictures");
+        else
+            CHECK_NOTHROW(writer.finish(recording, {}, more));
+        CHECK(is_run_folder(dir.path()));
+        CHECK(fs::exists(dir.path() / "rest.png") == !fails);
+    }
 }
 
 TEST_CASE("inputs are never replaced", "[io][run]") {

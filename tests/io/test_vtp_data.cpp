@@ -130,7 +130,7 @@ TEST_CASE("VTP: inline, appended raw and base64, zlib, both headers and byte ord
         for (const bool wide : {false, true})
             for (const bool zlib : {false, true})
                 for (const auto place : {Form::inline_base64, Form::appended_raw, Form::appended_base64})
-                    for (const std::size_t block : {12, 16, 32768}) {
+                    for (const std::size_t block : {std::size_t{12}, std::size_t{16}, std::size_t{32768}}) {
                         INFO(big << wide << zlib << place << ' ' << block);
                         const MeshData data = read(Maker({big, wide, zlib, place, block}).sample());
                         CHECK(data.mesh.positions ==

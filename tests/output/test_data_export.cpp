@@ -3,6 +3,7 @@
 #include "fascicle/io/csv.hpp"
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/mesh_file.hpp"
+#include "fascicle/io/osim_file.hpp"
 #include "fascicle/io/run_reader.hpp"
 #include "fascicle/simulation/simulation.hpp"
 #include "output/data_export.hpp"
@@ -143,6 +144,19 @@ TEST_CASE("Fibres of a run as polylines and a table, and a run without any says 
     const std::string table = read_file(r.target / "fibres.csv");
     CHECK(table.find("moment_arm_mm") != std::string::npos);
     CHECK(fs::exists(r.target / "muscle_fibres.pvd"));
+
+    ExportRequest model = request("osim", folder.path() / "model.osim");
+    model.told = std::make_shared<std::vector<std::string>>();
+    export_data(model, recording, {});
+    CHECK(read_osim_file(model.target).model.muscles.size() ==
+          static_cast<std::size_t>(recording.fibres()[0]->rest.count));
+    REQUIRE_FALSE(model.told->empty());
+    CHECK(model.told->front().starts_with("model.osim: "));
+    CHECK(fs::exists(folder.path() / "model_report.json"));
+    const std::string with_axes = read_file(folder.path() / "Geometry" / "fixed.vtp");
+    model.up = 'y';
+    export_data(model, recording, {});
+    CHECK(read_file(folder.path() / "Geometry" / "fixed.vtp") != with_axes);
 }
 
 TEST_CASE("An export of data that is cancelled leaves nothing", "[output][unit]") {

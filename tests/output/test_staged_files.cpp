@@ -62,3 +62,49 @@ TEST_CASE("Staged files never replace what the scene was read from", "[output][u
     CHECK_THROWS_AS(check_no_input(folder.path() / "." / "muscle.obj", scene), Error);
     CHECK_NOTHROW(check_no_input(folder.path() / "other.obj", scene));
 }
+
+TEST_CASE("Staged files that cannot all be moved put back what was there", "[output][unit]") {
+    const TempDir folder;
+    const fs::path out = folder.path() / "out";
+    write_file(out / "a.txt", "old");
+    write_file(out / "summary.json", "old");
+    fs::create_directories(out / "z.txt"); // in the way
+    {
+        StagedFiles files(out);
+        for (const char* name : {"a.txt", "b/c.txt", "summary.json", "z.txt"})
+            write_file(files.place() / name, "new");
+        CHECK_THROWS_WITH(files.commit(Scene()), Catch::Contains("z.txt: cannot write: is a folder"));
+    }
+    CHECK(read_file(out / "a.txt") == "old");
+    CHECK(read_file(out / "summary.json") == "old");
+    CHECK_FALSE(fs::exists(out / "b"));
+    CHECK(std::distance(fs::directory_iterator(out), fs::directory_iterator()) == 3);
+}
+
+TEST_CASE("Staged files follow no link out of their folder", "[output][unit]") {
+    const TempDir folder;
+    const fs::path out = folder.path() / "out", elsewhere = folder.path() / "elsewhere";
+    fs::create_directories(out);
+    fs::create_directories(elsewhere);
+    fs::create_directory_symlink(elsewhere, out / "frames");
+    StagedFiles files(out);
+    write_file(files.place() / "frames" / "x.vtp", "x");
+    CHECK_THROWS_WITH(files.commit(Scene()), Catch::Contains("is a link to another folder"));
+    CHECK(fs::is_empty(elsewhere));
+}
+
+TEST_CASE("One program at a time stages files for a folder, unless it is shared", "[output][unit]") {
+    const TempDir folder;
+    {
+        const StagedFiles files(folder.path());
+        CHECK_THROWS_WITH(StagedFiles(folder.path()), Catch::Contains("another program is writing"));
+        CHECK_NOTHROW(StagedFiles(folder.path(), StagedFiles::Use::shared));
+    }
+    CHECK_NOTHROW(StagedFiles(folder.path()));
+    // What a program left that is no longer there goes; what may be somebody's stays.
+    fs::create_directories(folder.path() / ".fascicle-part-999999999-0" / "frames");
+    fs::create_directories(folder.path() / ".fascicle-part-1-0");
+    fs::create_directories(folder.path() / ".fascicle-part-mine");
+    CHECK_NOTHROW(StagedFiles(folder.path()));
+    CHECK(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()) == 2);
+}

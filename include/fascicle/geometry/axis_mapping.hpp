@@ -12,6 +12,7 @@ enum class AxisMapping { as_is, ras_to_lps, opensim_to_lps, lps_to_opensim };
 
 struct AxisMappingRow {
     AxisMapping mapping;
+    const char* key;   ///< "ras_to_lps", on the command line
     const char* label; ///< "RAS to LPS"
     const char* help;  ///< what happens to the axes
 };

@@ -20,6 +20,7 @@ struct MeshFormatHolds {
     bool line_arrays = false; ///< when there are no triangles
     bool doubles = true;      ///< coordinates to the last bit; else as float
     bool vertex_order = true; ///< also vertices that no triangle uses
+    bool metres = false;      ///< files of the format say that they are in metres, whatever is written
 };
 
 struct MeshFormat {

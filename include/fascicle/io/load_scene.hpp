@@ -3,6 +3,7 @@
 // command line and editor.
 
 #include "fascicle/base/job_control.hpp"
+#include "fascicle/io/osim_request.hpp"
 #include "fascicle/scene/scene.hpp"
 
 #include <filesystem>
@@ -17,7 +18,8 @@ struct HingeRequest {
     Vec3 axis = Vec3::UnitX();
 };
 
-/// SOURCE of the commands. Exactly one of: `embedded`, `project`, or meshes.
+/// SOURCE of the commands. Exactly one of: `embedded`, `project`, an OpenSim model, or meshes. Beside a model `muscles` and `bones` are
+/// MESH=BODY[,BODY...] (osim_request.hpp).
 struct SceneRequest {
     std::string embedded;          ///< --scene NAME
     std::filesystem::path project; ///< --project FILE
@@ -25,7 +27,9 @@ struct SceneRequest {
     std::optional<HingeRequest> hinge;
     std::optional<double> angle_deg;
     std::optional<Phases> phases;
-    std::filesystem::path motion; ///< --motion FILE.csv: keyed poses instead of a hinge, of any source
+    std::filesystem::path
+        motion; ///< --motion: keyed poses (.csv) instead of a hinge, of any source; or a model's trial (.mot, .sto)
+    OsimRequest osim; ///< --osim MODEL and what goes with it
     std::vector<std::pair<std::string, std::filesystem::path>> attachments;    ///< muscle name, CSV
     std::vector<std::pair<std::string, std::filesystem::path>> surface_fibres; ///< muscle name, polylines
     std::vector<std::pair<std::string, std::filesystem::path>>
@@ -73,9 +77,8 @@ void load_motion(Scene& scene, const std::filesystem::path& path, std::vector<st
 /// Puts the line muscles of an OpenSim model into the scene (place_line_muscles), in place of those that it has.
 void load_line_muscles(Scene& scene, const std::filesystem::path& path, std::vector<std::string>& notes);
 
-/// Metres when the diagonal of all meshes together is below 5, else millimetres.
-LengthUnit guess_unit(const Scene& scene);
-LengthUnit guess_unit(double diagonal);
+/// Of the box around all meshes (unit_guess.hpp).
+double scene_diagonal(const Scene& scene);
 
 /// Polylines from pieces: where exactly two lines end at a point, they become one. Lines keep the order in which they
 /// begin; rings stay closed, cut where their first piece begins. Points and their order do not change.

@@ -33,12 +33,14 @@ struct OsimFibreReport {
     int fibre = 0;      ///< fibre_id, from 0
     std::string name;   ///< in the model
     int points = 0, moving_points = 0;
-    int knots = 0;                    ///< of each spline; 0 without moving points
-    double length_mm = 0;             ///< difference of the length, at frames
-    double length_between_mm = 0;     ///< ... between frames
-    double moment_arm_mm = 0;         ///< of -dL/dq, exact of the model, against fibres.csv; at frames
-    double moment_arm_between_mm = 0; ///< ... between frames
-    double opensim_moment_arm_mm = 0; ///< of the arm that OpenSim's solver computes, at frames and between
+    int knots = 0;                ///< of each spline; 0 without moving points
+    double length_mm = 0;         ///< difference of the length, at frames
+    double length_between_mm = 0; ///< ... between frames
+    double moment_arm_mm =
+        0; ///< of the arm by tendon excursion, from the lengths of model and run by the same excursion_arms
+    double exact_moment_arm_mm =
+        0; ///< of -dL/dq of the model against the run's by excursion, at frames and between
+    double opensim_moment_arm_mm = 0; ///< ... of the arm that OpenSim's solver computes
     double point_mm = 0;              ///< of the inner points, at frames
     double length_other_frames_mm =
         0; ///< of the length, in frames that the fibre was not fitted to (the way back); NaN: none
@@ -58,8 +60,7 @@ struct OsimExportReport {
     double largest(double OsimFibreReport::*quantity) const;
 };
 
-/// Writes <scene>.osim (version 40000, metres), <scene>.mot, Geometry/<bone>.vtp, osim_report.csv and osim_report.json into the
-/// folder.
+/// Writes a model NAME.osim (version 40000, metres) and beside it NAME.mot, NAME_report.csv, NAME_report.json and Geometry/<bone>.vtp.
 ///
 /// Bodies are the bones; their frames lie on ground's at rest, so that all numbers are the scene's, in metres and the wanted axes.
 /// A hinge that all moving bones follow is a CustomJoint with one rotational coordinate, any other motion six splines of a
@@ -69,8 +70,8 @@ struct OsimExportReport {
 /// in all frames has no other points. The rest are MovingPathPoints with SimmSplines, as few knots as meet the tolerance. Of a
 /// hinge's run the frames of the span with the largest excursion are fitted (the way out): on the way back a fibre has other
 /// shapes, which a function of an angle cannot tell. The fit of the splines is by least squares; where there is a joint the
-/// points are then moved by the least amount that makes the length follow a smooth target, which is as near to the simulated
-/// lengths as to the moment arms of fibres.csv.
+/// points are then moved by the least amount that makes the length follow a smooth target, which is near to the simulated
+/// lengths and to the moment arms of fibres.csv (LengthTarget).
 ///
 /// Neighbouring points, unless both are fixed, lie in frames of different bodies, and a point half-way is put in where their number is
 /// odd: OpenSim's GeometryPath::addInEquivalentForces passes over segments within one body, although their length changes
@@ -82,9 +83,12 @@ struct OsimExportReport {
 ///
 /// The report is measured on the text that was written, read back by read_osim and measured by LinePathSolver.
 ///
-/// Error: no fibres in the run, nothing moves, coordinate joint without one, too many points for a model (50,000), a file that cannot be
-/// written; an output would replace an input of the scene (usage). Cancelled. The model gets its name last.
-OsimExportReport export_osim(const std::filesystem::path& folder, const Recording& recording,
+/// Error: no fibres in the run, nothing moves, coordinate joint without one, too many points for a model (35,000), a file that cannot be
+/// written; an output would replace an input of the scene (usage). Cancelled. All files are there afterwards, or none is new.
+OsimExportReport export_osim(const std::filesystem::path& model, const Recording& recording,
                              const OsimExportOptions& options = {}, const JobControl& control = {});
+
+/// Why the recording cannot be written so, as the end of a sentence; empty when it can, as far as is seen without looking at all frames.
+std::string reason_against_osim(const Recording& recording);
 
 } // namespace fascicle

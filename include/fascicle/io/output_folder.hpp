@@ -16,7 +16,4 @@ void require_file_names(const Scene& scene);
 const std::filesystem::path& without_inputs(const std::filesystem::path& folder, const Scene& scene,
                                             const std::vector<std::filesystem::path>& more_inputs = {});
 
-/// Error (usage) naming the input when one of the files is an input of the scene.
-void refuse_inputs(const std::vector<std::filesystem::path>& files, const Scene& scene);
-
 } // namespace fascicle

@@ -11,6 +11,9 @@ struct LineSeries {
     std::vector<int> frames;                        ///< K
     std::vector<double> angles_rad;                 ///< K, as in metrics.csv
     std::vector<double> lengths_mm, moment_arms_mm; ///< K x M
+    /// Where a trial of a model moves the scene: names of the coordinates that turn in it (C), and moment arms about each, K x M x C.
+    std::vector<std::string> coordinates;
+    std::vector<double> coordinate_arms_mm;
     bool exact_arms =
         true; ///< false: by tendon excursion (excursion_arms), NaN without an angle that changes
 

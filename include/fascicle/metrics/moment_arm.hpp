@@ -2,7 +2,7 @@
 // Moment arms about the joint's axis, from how lengths change with the angle.
 
 #include "fascicle/anatomy/fibre_shape.hpp"
-#include "fascicle/motion/timeline.hpp"
+#include "fascicle/scene/scene.hpp"
 
 namespace fascicle {
 
@@ -13,6 +13,8 @@ namespace fascicle {
 double flexion_sign(std::span<const double> angles_rad);
 /// Of a motion as a whole, known before its first frame; frames 0 to last_frame.
 double flexion_sign(const Timeline& timeline);
+/// +1 where a trial of a model moves the scene: its coordinates are positive in the direction that they are named for.
+double flexion_sign(const Scene& scene);
 
 /// A part of a motion in which the angle goes one way only, frames `first` to `last`, both included; first < last.
 struct MotionSpan {

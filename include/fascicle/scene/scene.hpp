@@ -44,6 +44,8 @@ struct Muscle {
     std::vector<AttachmentOutline> outlines;
     std::vector<MeshSource> outline_files; ///< the files the outlines came from
     bool attach_automatically = true;
+    /// Bones (names) that nearness may attach it to: the first has its origin, the others insertions. Empty: any bone.
+    std::vector<std::string> attach_to;
     std::shared_ptr<const Polylines> surface_fibres; ///< superficial fibres, or null
     MeshSource surface_fibres_source;
     std::shared_ptr<const FibreTemplate> fibre_template; ///< the user's own; null: that of fibres.template
@@ -63,6 +65,7 @@ struct Marker {
 };
 
 struct LineMuscles; // scene/line_muscles.hpp
+struct ModelMotion; // scene/model_motion.hpp
 
 struct Scene {
     std::string name = "scene";
@@ -75,6 +78,8 @@ struct Scene {
     /// Line-segment muscles of a model, for comparison: not simulated. null: none.
     std::shared_ptr<const LineMuscles> line_muscles;
     Timeline timeline;
+    /// The model and trial that the timeline came from, or null. In force only while model_motion_in_force() says so.
+    std::shared_ptr<const ModelMotion> model_motion;
     std::vector<Marker> markers; ///< ascending by frame, one a frame
     MeshSource motion_source;    ///< the file that the timeline came from; empty: from none
     ParamSet parameters = default_parameters();

@@ -27,6 +27,7 @@ std::function<int()> add_info(CLI::App& app);
 std::function<int()> add_convert(CLI::App& app);
 std::function<int()> add_repair(CLI::App& app);
 std::function<int()> add_simulate(CLI::App& app);
+std::function<int()> add_export(CLI::App& app);
 std::function<int()> add_fibres(CLI::App& app);
 std::function<int()> add_render(CLI::App& app);
 std::function<int()> add_report(CLI::App& app);

@@ -59,8 +59,9 @@ void check_leftovers(const CLI::App& app, const std::string& command) {
         left.erase(end_of_options);
     if (left.empty())
         return;
-    const auto option = std::find_if(
-        left.begin(), left.begin() + options_left, [](const std::string& word) { return word.size() > 1 && word[0] == '-'; });
+    const auto option = std::find_if(left.begin(), left.begin() + options_left, [](const std::string& word) {
+        return word.size() > 1 && word[0] == '-';
+    });
     if (option == left.begin() + options_left)
         throw_error(command, "unexpected argument '" + left.front() + "'", "only options here",
                     ErrorKind::usage);

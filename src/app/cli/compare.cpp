@@ -129,7 +129,9 @@ void print(const Comparison& compared) {
         std::cout << "all parameters are the same\n";
     for (const ParamDifference& row : compared.parameters)
         std::cout << row.row->key << ": " << row.a << " in A, " << row.b << " in B\n";
-    const auto padded = [&](const std::string& text) { return one_line(text) + std::string(width - text.size(), ' '); };
+    const auto padded = [&](const std::string& text) {
+        return one_line(text) + std::string(width - text.size(), ' ');
+    };
     std::cout << compared.frames.size() << " common frames\n"
               << padded("muscle") << "    rms mm    max mm  at frame\n"
               << std::fixed << std::setprecision(4);

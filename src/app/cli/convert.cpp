@@ -9,7 +9,9 @@
 #include "fascicle/io/load_scene.hpp"
 #include "fascicle/io/mesh_convert.hpp"
 #include "fascicle/io/mesh_hints.hpp"
+#include "fascicle/io/run_reader.hpp"
 #include "fascicle/io/storage_write.hpp"
+#include "fascicle/io/unit_guess.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -75,7 +77,7 @@ std::pair<double, std::string> unit_of_file(const std::string& bytes, const Mesh
     for (const Points* points : {&data.mesh.positions, &data.lines.points})
         for (const Vec3& p : *points)
             box.add(p);
-    const LengthUnit unit = guess_unit(box.diagonal());
+    const LengthUnit unit = guess_length_unit(box.diagonal()).unit;
     return {millimetres_per_unit(unit), std::string(to_text(unit)) + ", guessed from the size"};
 }
 
@@ -146,6 +148,9 @@ void convert_mesh(const ConvertOptions& options, const std::string& bytes) {
     notes.insert(notes.end(), data.notes.begin(), data.notes.end());
     if (const auto factor = wanted_factor(options, bytes, data, notes))
         scale(data, *factor, options.in);
+    else if (format.holds.metres && unit_of_file(bytes, data).first != 1000)
+        notes.push_back(format.name +
+                        " says metres, which the file does not seem to be in: --units m scales it");
     for (std::string& lost : fit_to_format(data, format))
         notes.push_back(std::move(lost));
     AtomicFile file(options.out);
@@ -191,6 +196,9 @@ int run(const ConvertOptions& options) {
     if (!table)
         format_for_writing(options.out); // before anything is read
     require_two_files(options);
+    if (is_run_folder(options.in))
+        throw_error(options.in, "a run is more than a mesh",
+                    "fascicle export RUN --out FILE, or one file of its frames", ErrorKind::usage);
     const std::string bytes = read_file(options.in);
     if (!table) {
         convert_mesh(options, bytes);

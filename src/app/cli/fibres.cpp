@@ -101,7 +101,9 @@ void print_table(const std::string& method, const std::vector<Row>& rows) {
     std::size_t width = std::string("muscle").size();
     for (const Row& row : rows)
         width = std::max(width, row.muscle.size());
-    const auto name = [&](const std::string& text) { return one_line(text) + std::string(width - text.size(), ' '); };
+    const auto name = [&](const std::string& text) {
+        return one_line(text) + std::string(width - text.size(), ' ');
+    };
     std::cout << "method " << method << '\n'
               << name("muscle")
               << "  fibres  segments  length mm (sd)  pennation deg   PCSA cm2  cover %  seconds\n"
@@ -142,8 +144,7 @@ int fibres(const FibresOptions& options) {
     std::vector<FibreSeries> series;
     for (std::size_t m = 0; m < scene.muscles.size(); ++m) {
         rows.push_back(make_row(scene, m, prepared.muscles[m], threads));
-        series.emplace_back(scene.muscles[m].name, millimetres_per_unit(scene.unit),
-                            flexion_sign(scene.timeline));
+        series.emplace_back(scene.muscles[m].name, millimetres_per_unit(scene.unit), flexion_sign(scene));
         series.back().append(0, scene.timeline.angle_rad(0), prepared.muscles[m].fibres->rest);
     }
     std::vector<const FibreSeries*> pointers;

@@ -11,7 +11,9 @@
 #include "fascicle/io/load_scene.hpp"
 #include "fascicle/io/mesh_file.hpp"
 #include "fascicle/io/mesh_hints.hpp"
+#include "fascicle/io/osim_request.hpp"
 #include "fascicle/io/series_file.hpp"
+#include "fascicle/io/unit_guess.hpp"
 
 #include <CLI/CLI.hpp>
 #include <iomanip>
@@ -75,22 +77,50 @@ void print_series(const std::string& path, const std::string& bytes) {
     }
 }
 
+/// What of an OpenSim model a scene can be made of.
+void print_model(const std::string& path) {
+    const OsimPreview model = preview_osim(path, {});
+    std::cout << path << '\n';
+    print("format", "OpenSim model, version " + std::to_string(model.version));
+    print("name", model.model_name);
+    print("unit", "m");
+    print("coordinates", std::to_string(model.coordinates));
+    print("muscles", std::to_string(model.muscles.size()) + " lines");
+    for (const OsimPreview::BodyRow& body : model.bodies) {
+        std::string missing;
+        for (const std::string& name : body.missing)
+            missing += (missing.empty() ? "; not found: " : ", ") + name;
+        print("body", body.name + ", " + std::to_string(body.meshes_found) + " meshes" + missing);
+    }
+    for (const std::string& note : model.notes)
+        print("note", note);
+}
+
 void print_file(const std::string& path) {
+    if (std::filesystem::path(path).extension() == ".osim")
+        return print_model(path);
     const std::string bytes = read_file(path);
     if (looks_like_series(bytes))
         return print_series(path, bytes);
     const MeshFile file = read_mesh_bytes(bytes, path);
     BoundingBox box = bounding_box(file.mesh.positions, file.mesh.triangles);
+    const bool points_alone = file.mesh.triangles.empty();
+    for (const Vec3& p : points_alone ? file.mesh.positions : Points())
+        box.add(p);
     for (const Vec3& p : file.lines.points)
         box.add(p);
     std::cout << one_line(path) << '\n';
     print("format", file.format);
-    const std::string unit = to_text(guess_unit(box.diagonal()));
+    const UnitGuess guess = guess_length_unit(box.diagonal());
+    const std::string unit = to_text(guess.unit);
     if (!box.empty())
-        print("unit", unit + " (guessed from the size)");
+        print("unit",
+              unit + " (guessed from the size" + (guess.sure ? ")" : ", which fits neither m nor mm)"));
     print_hints(find_mesh_hints(bytes));
     if (!file.mesh.triangles.empty())
         print_surface(file, unit);
+    if (points_alone && !file.mesh.positions.empty())
+        print("points", std::to_string(file.mesh.vertex_count()) + ", no surface");
     if (!file.lines.lines.empty())
         print("polylines", std::to_string(file.lines.lines.size()));
     if (!file.point_arrays.empty())
@@ -107,6 +137,8 @@ void print_file(const std::string& path) {
     const std::vector<std::string> findings = file.report.lines();
     for (const std::string& finding : findings)
         print("defect", finding);
+    if (is_inside_out(file.report))
+        print("defect", inside_out_words);
     if (findings.empty())
         print("defects", "none");
 }
@@ -115,7 +147,8 @@ void print_file(const std::string& path) {
 
 std::function<int()> add_info(CLI::App& app) {
     const auto paths = std::make_shared<std::vector<std::string>>();
-    app.add_option("MESH", *paths, "Mesh files: " + mesh_format_names() + "; or a series (.pvd)");
+    app.add_option("MESH", *paths,
+                   "Mesh files: " + mesh_format_names() + "; a series (.pvd); OpenSim models (.osim)");
     return [paths] {
         if (paths->empty())
             throw_error("info", "no mesh", "info MESH...", ErrorKind::usage);

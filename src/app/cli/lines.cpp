@@ -14,6 +14,7 @@
 #include "fascicle/io/osim_file.hpp"
 #include "fascicle/io/staged_files.hpp"
 #include "fascicle/io/storage_file.hpp"
+#include "fascicle/io/unit_guess.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -87,7 +88,8 @@ std::vector<BodyObstacle> read_bones(const LinesOptions& options, const Skeleton
         MeshFile file = read_mesh_file(path);
         if (file.mesh.triangles.empty())
             throw_error(path, "holds no surface", "a bone of triangles");
-        const LengthUnit unit = guess_unit(bounding_box(file.mesh.positions, file.mesh.triangles).diagonal());
+        const LengthUnit unit =
+            guess_length_unit(bounding_box(file.mesh.positions, file.mesh.triangles).diagonal()).unit;
         for (Vec3& x : file.mesh.positions)
             x *= millimetres_per_unit(unit) / 1000;
         notes.push_back("bone " + body + ": " + std::to_string(file.mesh.triangle_count()) +

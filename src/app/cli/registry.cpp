@@ -17,9 +17,13 @@ const std::vector<Command>& commands() {
          "  fascicle repair scan.obj muscle.vtk --fill 300 --smooth 10 --edge 2.5 --report muscle.json",
          add_repair},
         {"simulate", "Run a scene and write numbers, meshes and pictures",
-         "  fascicle simulate --scene hip --export vtp,png --out out/hip\n"
+         "  fascicle simulate --scene hip --export vtp,png,glb --out out/hip\n"
          "  fascicle simulate --muscle gluteus.vtk --bone pelvis.obj --moving-bone femur.vtk\n"
          "      --hinge \"143.86,243.37,-432.53;1,0,0\" --angle-deg -57.3 --out out/flexion\n"
+         "  fascicle simulate --osim gait.osim --motion walk.mot --muscle glut_max1_r --out out/walk\n"
+         "  fascicle simulate --osim hip.osim --motion flexion.mot --bone pelvis.obj=pelvis --bone "
+         "femur.vtk=femur_r\n"
+         "      --muscle gluteus.vtk=pelvis,femur_r --out out/hip\n"
          "  fascicle simulate --project my.fascicle --method classic --set solver.stiffness=0.8 --out out/my",
          add_simulate},
         {"fibres", "Decompose muscles into fibres at rest",
@@ -39,6 +43,11 @@ const std::vector<Command>& commands() {
          "  fascicle report --scene squish-box --out box.html",
          add_report},
 #endif
+        {"export", "Write a run for other programs: glTF, USD, OBJ, point caches, tables",
+         "  fascicle export out/hip --out hip.glb --frames 0:300:5\n"
+         "  fascicle export out/hip --as pc2 --out out/hip_cache\n"
+         "  fascicle export from_blender.glb --as obj --out out/frames",
+         add_export},
         {"lines", "Length and moment arms of line muscles of an OpenSim model",
          "  fascicle lines --osim hip.osim --motion flexion.mot --out out/lines\n"
          "  fascicle lines --osim gait.osim --motion walk.mot --coordinate knee_angle_r --export vtp --out "

@@ -110,24 +110,8 @@ void draw_viewport(const RenderOptions& options, const output::PictureOptions& p
     write_unless_cancelled(options, *recording, pictures.draw(recording->frame_count() - 1));
 }
 
-/// "A:B" or "A:B:STEP"; without B to the last frame.
-FrameRange frame_range(const std::string& text) {
-    const std::string expected = "FIRST:LAST or FIRST:LAST:STEP, e.g. 0:300:5; LAST may be left out";
-    const std::vector<std::string> parts = split(text, ':');
-    if (parts.size() < 2 || parts.size() > 3)
-        throw_error("--frames", "got '" + text + "'", expected, ErrorKind::usage);
-    FrameRange range;
-    const int most = 10'000'000;
-    range.first = read_whole("--frames", parts[0], 0, most);
-    if (!parts[1].empty())
-        range.last = read_whole("--frames", parts[1], range.first, most);
-    if (parts.size() == 3)
-        range.step = read_whole("--frames", parts[2], 1, most);
-    return range;
-}
-
 void draw_film(const RenderOptions& options, const output::PictureOptions& picture) {
-    FilmOptions film{frame_range(options.frames), options.fps, options.transparent, options.out};
+    FilmOptions film{read_frame_range(options.frames), options.fps, options.transparent, options.out};
     film.kind(); // a wrong name or speed is told before anything is computed
     ProgressDisplay progress = ProgressDisplay::for_user(options.quiet);
     RecordingPtr recording;
@@ -174,8 +158,8 @@ int render(const RenderOptions& options) {
         throw_error(options.transparent ? "--transparent" : "--frames", "cannot go with --ui",
                     "one of the two", ErrorKind::usage);
     const output::PictureOptions picture = picture_options(options);
-    if (options.frames.empty() || FilmOptions{{}, options.fps, options.transparent, options.out}.kind() !=
-                                      output::ExportKind::pictures)
+    if (options.frames.empty() ||
+        FilmOptions{{}, options.fps, options.transparent, options.out}.kind() != "frames")
         check_output_file(options.out, options.run, options.source, options.solve);
     watch_interrupts(); // what is being written is finished, or not begun
     if (!options.frames.empty())

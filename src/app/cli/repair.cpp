@@ -11,7 +11,9 @@
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/format_registry.hpp"
 #include "fascicle/io/load_scene.hpp"
+#include "fascicle/io/mesh_convert.hpp"
 #include "fascicle/io/mesh_file.hpp"
+#include "fascicle/io/unit_guess.hpp"
 
 #include <cmath>
 #include <iostream>
@@ -22,9 +24,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double automatic = -1e300;
+
 struct RepairCommand {
     std::string in, out, report, units;
-    double weld_mm = -1, edge_mm = 0, volume_percent = 0.5, islands = 0.01;
+    double weld_mm = automatic, edge_mm = 0, volume_percent = 0.5, islands = 0.01;
     int fill = -1, smooth = 0, triangles = 0, threads = 0;
     bool untangle = false, quiet = false;
 };
@@ -67,6 +71,8 @@ void check(const RepairCommand& command) {
         throw_error("--report", "is the input or the output", "another file", ErrorKind::usage);
     if (command.edge_mm > 0 && command.triangles > 0)
         throw_error("repair", "both --edge and --triangles", "one of them", ErrorKind::usage);
+    if (command.weld_mm != automatic && !(command.weld_mm >= 0))
+        wrong("--weld", command.weld_mm, "a length in mm, 0 or more");
     if (!(command.islands >= 0 && command.islands <= 1))
         wrong("--islands", command.islands, "a share from 0 to 1");
     if (!(command.volume_percent > 0 && command.volume_percent <= 100))
@@ -104,10 +110,9 @@ int repair_file(const RepairCommand& command) {
     report.in = command.in;
     report.out = command.out;
     const double diagonal = bounding_box(data.mesh.positions, data.mesh.triangles).diagonal();
-    report.unit = command.units.empty() ? to_text(guess_unit(diagonal)) : command.units;
+    report.unit = command.units.empty() ? to_text(guess_length_unit(diagonal).unit) : command.units;
     report.unit_guessed = command.units.empty();
     report.options = options_of(command, report.unit == "m" ? 1000 : 1);
-    report.arrays = static_cast<int>(data.point_arrays.size());
     report.notes = data.notes;
     if (!data.lines.lines.empty())
         report.notes.push_back("polylines are not written");
@@ -120,6 +125,9 @@ int repair_file(const RepairCommand& command) {
     progress.finish();
     if (result.good()) {
         MeshData out = carried(data, result);
+        for (std::string& lost : fit_to_format(out, format_for_writing(command.out)))
+            report.notes.push_back(std::move(lost));
+        report.arrays = static_cast<int>(out.point_arrays.size());
         write_mesh_file(command.out, out);
     }
     if (!command.report.empty())

@@ -112,7 +112,9 @@ std::string to_json(const RepairReport& report, const RepairResult& result) {
         json["steps"].push_back(
             {{"key", step.key}, {"found", step.found}, {"done", step.done}, {"text", step.text}});
     json["crossing_pairs"] = result.crossings;
-    json["first_crossing_pairs"] = result.first_crossings;
+    json["first_crossing_pairs"] = Json::array();
+    for (std::size_t i = 0; i < std::min<std::size_t>(10, result.first_crossings.size()); ++i)
+        json["first_crossing_pairs"].push_back(result.first_crossings[i]);
     json["left"] = result.left;
     json["notes"] = report.notes;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -73,16 +73,21 @@ void write_film(const FilmOptions& options, const RecordingPtr& recording,
     run(request, recording, look, progress);
 }
 
+void write_drawn(const output::ExportRequest& request, const RecordingPtr& recording,
+                 ProgressDisplay& progress) {
+    output::PictureOptions picture;
+    picture.width = 1200;
+    picture.height = 800;
+    run(request, recording, look_of(recording, picture), progress);
+}
+
 void write_report(const std::filesystem::path& out, const RecordingPtr& recording, int threads,
                   ProgressDisplay& progress) {
     output::ExportRequest request;
     request.kind = "report";
     request.target = out;
     request.threads = threads;
-    output::PictureOptions picture;
-    picture.width = 1200;
-    picture.height = 800;
-    run(request, recording, look_of(recording, picture), progress);
+    write_drawn(request, recording, progress);
 }
 
 } // namespace fascicle::app

@@ -1,17 +1,12 @@
 #pragma once
 // Films and reports of a run at a terminal.
 
+#include "app/cli/frame_range.hpp"
 #include "app/cli/progress.hpp"
 #include "output/data_export.hpp"
 #include "output/run_pictures.hpp"
 
 namespace fascicle::app {
-
-struct FrameRange {
-    int first = 0;
-    std::optional<int> last; ///< nothing: to the end of the run
-    int step = 1;
-};
 
 struct FilmOptions {
     FrameRange range;
@@ -26,6 +21,10 @@ struct FilmOptions {
 /// Draws the frames and writes them. SIGINT and SIGTERM end it with an Error; nothing is left then.
 void write_film(const FilmOptions& options, const RecordingPtr& recording,
                 const output::PictureOptions& picture, ProgressDisplay& progress);
+
+/// An export that is drawn, seen from where most of muscles and motion is. As above.
+void write_drawn(const output::ExportRequest& request, const RecordingPtr& recording,
+                 ProgressDisplay& progress);
 
 /// The HTML report, with pictures from where most of muscles and motion is seen.
 void write_report(const std::filesystem::path& out, const RecordingPtr& recording, int threads,

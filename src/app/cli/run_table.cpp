@@ -47,7 +47,9 @@ void RunTable::print(std::ostream& out, const Recording& recording) const {
     std::size_t width = std::string("muscle").size();
     for (const Muscle& muscle : scene_.muscles)
         width = std::max(width, muscle.name.size());
-    const auto name = [&](const std::string& text) { return one_line(text) + std::string(width - text.size(), ' '); };
+    const auto name = [&](const std::string& text) {
+        return one_line(text) + std::string(width - text.size(), ' ');
+    };
     out << name("muscle") << "  volume error max  end rms from rest  penetrating max\n" << std::fixed;
     for (std::size_t m = 0; m < rows_.size(); ++m) {
         const double rms = rms_distance(*rest->muscle_positions[m], *last->muscle_positions[m]);

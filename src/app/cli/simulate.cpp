@@ -2,13 +2,12 @@
 
 #include "app/cli/command.hpp"
 #include "app/cli/options.hpp"
+#include "app/cli/run_exports.hpp"
 #include "app/cli/run_scene.hpp"
 #include "app/cli/run_table.hpp"
 #include "app/cli/source_options.hpp"
 #include "fascicle/base/interrupt.hpp"
-#include "fascicle/base/suggest.hpp"
 #include "fascicle/base/text.hpp"
-#include "fascicle/io/osim_export.hpp"
 #include "fascicle/io/output_folder.hpp"
 #include "fascicle/io/run_writer.hpp"
 #include "fascicle/metrics/metric_table.hpp"
@@ -28,7 +27,7 @@ struct SimulateOptions {
     SolveOptions solve;
     std::string out;
     std::vector<std::string> exports;
-    std::string axes = "opensim";
+    ExportOptions export_options;
     int every = 1;
     bool quiet = false;
 };
@@ -42,31 +41,6 @@ std::vector<std::vector<NamedArray>> point_arrays(const MetricsEngine& metrics, 
                           {"edge_extension", 1, muscle.edge_extension_at_vertices()}});
     }
     return arrays;
-}
-
-struct Exports {
-    bool vtp = false;
-    bool png = false;
-    bool osim = false;
-};
-
-Exports read_exports(const std::vector<std::string>& lists) {
-    const std::vector<std::string> known{"vtp", "csv", "png", "osim"};
-    Exports exports;
-    for (const std::string& list : lists)
-        for (const std::string& word : split(list, ',')) {
-            if (std::find(known.begin(), known.end(), word) == known.end())
-                throw_error("--export", "got '" + word + "'" + did_you_mean(word, known),
-                            "vtp, csv, png, osim", ErrorKind::usage);
-            exports.vtp = exports.vtp || word == "vtp";
-            exports.png = exports.png || word == "png";
-            exports.osim = exports.osim || word == "osim";
-        }
-#ifndef FASCICLE_HAS_VIEW
-    if (exports.png)
-        throw_error("--export", "this program was built without drawing", "vtp, csv, osim", ErrorKind::usage);
-#endif
-    return exports;
 }
 
 /// Throws what a user reads who pressed Ctrl-C.
@@ -85,7 +59,9 @@ int simulate(const SimulateOptions& options) {
     const Exports exports = read_exports(options.exports);
     LoadedScene loaded = load(options.source, options.solve);
     const int threads = thread_count(options.solve);
-    if (exports.osim && loaded.scene.parameters.get_choice("fibres.method") == "none")
+    if (std::find(exports.kinds.begin(), exports.kinds.end(), output::find_export_kind("osim")) !=
+            exports.kinds.end() &&
+        loaded.scene.parameters.get_choice("fibres.method") == "none")
         throw_error("--export osim", "fibres.method is none: there would be nothing to write",
                     "--set fibres.method=kukacka, chmd or streamlines", ErrorKind::usage);
     const auto scene = std::make_shared<const Scene>(std::move(loaded.scene));
@@ -112,7 +88,7 @@ int simulate(const SimulateOptions& options) {
         const FibreMeasure* fibres = metrics->muscle(m).fibres();
         series.push_back(fibres != nullptr ? &fibres->series() : nullptr);
     }
-    std::string osim_summary;
+    std::vector<std::string> told;
     const auto exports_beside = [&](const std::filesystem::path& place) {
         if (recording->state() == RunState::cancelled)
             return;
@@ -123,13 +99,8 @@ int simulate(const SimulateOptions& options) {
             progress.finish();
         }
 #endif
-        if (exports.osim) {
-            OsimExportOptions osim;
-            osim.axes = options.axes == "as-is" ? AxisMapping::as_is : AxisMapping::lps_to_opensim;
-            osim.threads = threads;
-            const OsimExportReport report = export_osim(place, *recording, osim);
-            osim_summary = report.model.filename().string() + ": " + report.summary;
-        }
+        told = write_exports(exports, options.export_options, recording, place, options.every, threads,
+                             progress);
     };
     if (recording->frame_count() > 0)
         writer.finish(*recording, series, exports_beside);
@@ -139,8 +110,8 @@ int simulate(const SimulateOptions& options) {
         for (const std::string& note : recording->notes())
             std::cout << "note: " << one_line(note) << '\n';
         table.print(std::cout, *recording);
-        if (!osim_summary.empty())
-            std::cout << one_line(osim_summary) << '\n';
+        for (const std::string& sentence : told)
+            std::cout << one_line(sentence) << '\n';
         std::cout << "written to " << one_line(options.out) << '\n';
     }
     return 0;
@@ -153,13 +124,11 @@ std::function<int()> add_simulate(CLI::App& app) {
     add_source_options(app, options->source);
     add_text(app, "--out", options->out, "DIR", "Folder for everything that is written");
     add_solve_options(app, options->solve);
-    add_texts(
-        app, "--export", options->exports, "vtp,csv,png,osim",
-        "What to write beside the tables: vtp surfaces, png pictures, osim an OpenSim model of the fibres");
-    add_choice(app, "--axes", options->axes, {"opensim", "as-is"},
-               "Of the OpenSim model: X anterior, Y up, Z right of a scene in LPS, or the scene's own");
+    add_texts(app, "--export", options->exports, "KEY,...",
+              "What to write beside the tables, of " + export_keys());
     add_whole(app, "--every", options->every, 1, 1000000, "K",
-              "Write every K-th frame's surfaces, and the last");
+              "Write every K-th frame's surfaces, and the last; of exports, too");
+    add_export_options(app, options->export_options);
     app.add_flag("--quiet", options->quiet, "No progress and no closing table");
     return [options] { return simulate(*options); };
 }

@@ -35,6 +35,34 @@ std::function<void(const std::string&)> into(NamedFiles& files, const std::strin
     return [&files, name](const std::string& text) { files.push_back(parse_named_file(name, text)); };
 }
 
+/// A model in place of bones and hinge.
+void add_osim_options(CLI::App& app, SourceOptions& options) {
+    OsimRequest& osim = options.request.osim;
+    const auto seconds = [](const std::string& option, const std::string& text) {
+        return read_numbers(option, text, ',', 1, "a number of seconds").front();
+    };
+    add(app, options, "--osim", "MODEL.osim",
+        "OpenSim model whose trial (--motion) moves the bones; --muscle and --bone are then "
+        "MESH=BODY[,BODY...]",
+        false, [&osim](const std::string& text) { osim.model = text; });
+    add(app, options, "--mesh-frame", "body|ground|scan",
+        "Where meshes beside a model lie: in their body's frame, in ground, or as scanned; guessed otherwise",
+        false, [&osim](const std::string& text) { osim.mesh_frame = parse_mesh_frame(text); });
+    add(app, options, "--axes", "MAPPING",
+        "Turns a model's axes: opensim_to_lps, ras_to_lps, lps_to_opensim; as_is otherwise", false,
+        [&osim](const std::string& text) { osim.axes = parse_axis_mapping(text); });
+    add(app, options, "--coordinate", "NAME", "Coordinate of the model that angle_deg is", false,
+        [&osim](const std::string& text) { osim.coordinate = text; });
+    add(app, options, "--from", "SECONDS", "Where in the trial to begin", false,
+        [&osim, seconds](const std::string& text) { osim.reading.from_s = seconds("--from", text); });
+    add(app, options, "--to", "SECONDS", "Where in the trial to end", false,
+        [&osim, seconds](const std::string& text) { osim.reading.to_s = seconds("--to", text); });
+    add(app, options, "--trial-frames", "N", "Frames of the trial (default: its own rate)", false,
+        [&osim](const std::string& text) {
+            osim.reading.frames = read_whole("--trial-frames", text, 1, 100000);
+        });
+}
+
 } // namespace
 
 void add_source_options(CLI::App& app, SourceOptions& options) {
@@ -55,8 +83,10 @@ void add_source_options(CLI::App& app, SourceOptions& options) {
         });
     add(app, options, "--phases", "OUT,BACK,REST", "Frames there, back and at rest (100,100,100)", false,
         [&r](const std::string& text) { r.phases = parse_phases(text); });
-    add(app, options, "--motion", "FILE.csv", "Keyed poses of any bones, instead of a hinge", false,
+    add(app, options, "--motion", "FILE",
+        "Poses of bones (.csv) instead of a hinge, or a model's trial (.mot, .sto)", false,
         [&r](const std::string& text) { r.motion = text; });
+    add_osim_options(app, options);
     add(app, options, "--attachments", "MUSCLE=FILE.csv", "Outlines of origin and insertion", true,
         into(r.attachments, "--attachments"));
     add(app, options, "--surface-fibres", "MUSCLE=FILE", "Superficial fibres as polylines", true,
@@ -110,7 +140,7 @@ void apply(const SolveOptions& options, ParamSet& parameters) {
 
 std::vector<std::filesystem::path> input_files(const SourceOptions& source, const SolveOptions& solve) {
     const SceneRequest& r = source.request;
-    std::vector<std::filesystem::path> files{r.project, r.motion, r.lines, solve.preset};
+    std::vector<std::filesystem::path> files{r.project, r.motion, r.lines, r.osim.model, solve.preset};
     for (const auto* list : {&r.muscles, &r.bones, &r.moving_bones})
         files.insert(files.end(), list->begin(), list->end());
     for (const auto* list : {&r.attachments, &r.surface_fibres, &r.fibre_templates})
@@ -140,7 +170,9 @@ void check_output_file(const std::filesystem::path& out, const std::string& run,
 
 LoadedScene load(const SourceOptions& source, const SolveOptions& solve) {
     if (!source.given)
-        throw_error({}, "no source", "--scene NAME, --project FILE or --muscle MESH with --bone MESH",
+        throw_error({}, "no source",
+                    "--scene NAME, --project FILE, --osim MODEL with --motion TRIAL, or --muscle MESH with "
+                    "--bone MESH",
                     ErrorKind::usage);
     // A wrong key is told before large files are read.
     ParamSet checked = default_parameters();

@@ -43,12 +43,13 @@ std::function<int()> add_templates(CLI::App& app) {
         for (const FibreTemplate& one : templates) {
             if (interrupted)
                 throw Cancelled();
-            std::cout << one_line(one.key) << std::string(width - one.key.size() + 2, ' ') << one_line(one.meaning) << '\n';
+            std::cout << one_line(one.key) << std::string(width - one.key.size() + 2, ' ')
+                      << one_line(one.meaning) << '\n';
             if (options->thumbnails.empty())
                 continue;
             const PngImage image = draw_fibre_template(one, options->size);
-            write_png(std::filesystem::path(options->thumbnails) / (file_name_for(one.key) + ".png"), image.width,
-                      image.height, image.rgba.data());
+            write_png(std::filesystem::path(options->thumbnails) / (file_name_for(one.key) + ".png"),
+                      image.width, image.height, image.rgba.data());
         }
         return 0;
     };

@@ -1,5 +1,7 @@
 #include "fascicle/document/actions/mesh_actions.hpp"
 
+#include "fascicle/io/unit_guess.hpp"
+
 #include "document/actions/hinge_track.hpp"
 #include "document/actions/scene_names.hpp"
 #include "fascicle/document/actions/import_actions.hpp"
@@ -42,12 +44,8 @@ void add_meshes(Document& document, const std::vector<NewMesh>& meshes) {
 }
 
 std::optional<LengthUnit> guess_unit(const TriMesh& mesh) {
-    const double diagonal = bounding_box(mesh.positions, mesh.triangles).diagonal();
-    if (diagonal > 0 && diagonal < 5)
-        return LengthUnit::metre;
-    if (diagonal >= 5 && diagonal <= 5000)
-        return LengthUnit::millimetre;
-    return std::nullopt;
+    const UnitGuess guess = guess_length_unit(bounding_box(mesh.positions, mesh.triangles).diagonal());
+    return guess.sure ? std::optional(guess.unit) : std::nullopt;
 }
 
 } // namespace fascicle::actions

@@ -3,6 +3,7 @@
 #include "document/actions/hinge_track.hpp"
 #include "document/actions/scene_names.hpp"
 #include "fascicle/scene/line_muscles.hpp"
+#include "fascicle/scene/model_motion.hpp"
 
 #include <algorithm>
 
@@ -77,6 +78,13 @@ bool rename_bone(Document& document, int bone, const std::string& name) {
         std::replace(lines->bone_of_body.begin(), lines->bone_of_body.end(), own, name);
         scene.line_muscles = std::move(lines);
     }
+    if (scene.model_motion != nullptr) {
+        auto motion = std::make_shared<ModelMotion>(*scene.model_motion);
+        std::replace(motion->bone_of_body.begin(), motion->bone_of_body.end(), own, name);
+        scene.model_motion = std::move(motion);
+    }
+    for (Muscle& muscle : scene.muscles)
+        std::replace(muscle.attach_to.begin(), muscle.attach_to.end(), own, name);
     own = name;
     return document.commit("Rename bone to " + name);
 }

@@ -1,4 +1,5 @@
 #include "editor/commands/command_groups.hpp"
+#include "editor/dialogs/dialogs.hpp"
 #include "editor/features.hpp"
 #include "editor/viewport_tool.hpp"
 #include "fascicle/document/actions/scene_actions.hpp"
@@ -70,6 +71,14 @@ std::vector<KeyBinding> edit_commands() {
              return only_if(c.document.history().can_redo(), "nothing to do again");
          },
          [](EditorContext& c) { c.document.redo(); }},
+        {C::repair_mesh,
+         edit,
+         "Repair mesh...",
+         "Closes holes, parts what is glued, smooths, remeshes: of the selected bone or muscle.",
+         {},
+         false,
+         needs_selection,
+         [](EditorContext& c) { c.dialogs.repair.open(c); }},
         {C::remove_selected,
          edit,
          "Remove",

@@ -1,4 +1,5 @@
 #include "editor/commands/command_groups.hpp"
+#include "editor/dialogs/dialogs.hpp"
 #include "editor/features.hpp"
 #include "editor/project/project_flow.hpp"
 
@@ -34,6 +35,14 @@ std::vector<KeyBinding> project_commands() {
          false,
          nullptr,
          choose_project},
+        {C::open_model,
+         file,
+         "Open OpenSim model...",
+         "Makes a scene of a model (.osim) and a trial (.mot, .sto) that moves its bones.",
+         {},
+         false,
+         nullptr,
+         [](EditorContext& c) { c.dialogs.osim.open(); }},
         {C::save_project,
          file,
          "Save",

@@ -7,6 +7,7 @@
 #include "editor/dialogs/locate_dialog.hpp"
 #include "editor/dialogs/mesh_dialog.hpp"
 #include "editor/dialogs/open_project_dialog.hpp"
+#include "editor/dialogs/osim_dialog.hpp"
 #include "editor/dialogs/pick_file_dialog.hpp"
 #include "editor/dialogs/picture_dialog.hpp"
 #include "editor/dialogs/plot_export_dialog.hpp"
@@ -14,6 +15,7 @@
 #include "editor/dialogs/progress_note.hpp"
 #include "editor/dialogs/recovery_dialog.hpp"
 #include "editor/dialogs/reload_dialog.hpp"
+#include "editor/dialogs/repair_dialog.hpp"
 #include "editor/dialogs/run_dialog.hpp"
 #include "editor/dialogs/save_dialog.hpp"
 #include "editor/dialogs/unsaved_dialog.hpp"
@@ -27,10 +29,12 @@ struct Dialogs {
     PictureDialog picture;
     PickFileDialog pick;
     OpenProjectDialog open_project;
+    OsimDialog osim;
     SaveDialog save;
     UnsavedDialog unsaved;
     LocateDialog locate;
     ReloadDialog reload;
+    RepairDialog repair;
     RecoveryDialog recovery;
     ProgressNote progress;
     RunDialog run;
@@ -41,7 +45,7 @@ struct Dialogs {
     std::vector<Dialog*> all() {
         return {&search, &mesh,        &picture,      &run,          &exporting, &load,
                 &pick,   &plot_export, &plot_overlay, &open_project, &save,      &unsaved,
-                &locate, &reload,      &recovery,     &progress};
+                &locate, &repair,      &reload,       &recovery,     &progress,  &osim};
     }
 };
 

@@ -6,6 +6,7 @@
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/paint.hpp"
 #include "editor/widgets/tool_button.hpp"
+#include "fascicle/io/animation.hpp"
 #include "fascicle/io/gif_file.hpp"
 
 #include <algorithm>
@@ -45,7 +46,8 @@ bool number(const EditorContext& context, const char* name, int& value, int low,
 
 // Folders alone are chosen here; what is in them shows what may be replaced.
 ExportDialog::ExportDialog()
-    : browser_({".png", ".gif", ".mp4", ".vtp", ".obj", ".csv", ".html", ".json", ".pvd"},
+    : browser_({".png", ".gif", ".mp4", ".vtp", ".obj", ".csv", ".html", ".json", ".pvd", ".glb", ".usda",
+                ".pc2", ".mdd"},
                "No exports here") {}
 
 void ExportDialog::open(EditorContext& context) {
@@ -102,6 +104,8 @@ output::ExportRequest ExportDialog::request(const EditorContext& context) const 
     request.step = std::max(1, choices.step);
     request.fps = choices.fps;
     request.dither = choices.dither;
+    request.morph_targets = choices.morph_targets;
+    request.up = choices.up;
     return request;
 }
 
@@ -128,7 +132,7 @@ void ExportDialog::draw(EditorContext& context) {
         return;
     bool keep = true;
     const bool opening = appears_;
-    if (!begin_modal(context, popup_name, appears_, 820, 540, &keep)) {
+    if (!begin_modal(context, popup_name, appears_, 820, 600, &keep)) {
         if (opening)
             return;    // another one is in front
         open_ = false; // Esc closed it
@@ -180,7 +184,8 @@ void ExportDialog::draw_kinds(EditorContext& context, ImVec2 size) {
     const Theme& theme = context.theme;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, theme.plot);
     if (ImGui::BeginChild("kinds", size, false)) {
-        const float line = context.px(34);
+        const float line = context.px(25);
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0}); // all kinds fit a small window
         for (const output::ExportKindRow& row : output::export_kinds()) {
             const ImVec2 at = ImGui::GetCursorScreenPos();
             const float width = ImGui::GetContentRegionAvail().x;
@@ -207,6 +212,7 @@ void ExportDialog::draw_kinds(EditorContext& context, ImVec2 size) {
                          {{x + mark + context.px(10), at.y}, {at.x + width - context.px(6), at.y + line}},
                          text, row.label);
         }
+        ImGui::PopStyleVar();
     }
     ImGui::EndChild();
     ImGui::PopStyleColor();
@@ -245,6 +251,10 @@ void ExportDialog::draw_options(EditorContext& context, ImVec2 size) {
             item_tooltip(
                 "A fine pattern hides the steps between 255 colours; the file is larger.\nDefault: on.");
         }
+        if (row.traits.morphs)
+            draw_morphs(context);
+        if (row.traits.up)
+            draw_up(context);
         label(context, "Estimate");
         const auto [w, h] = picture_size(context);
         ImGui::TextUnformatted(
@@ -352,6 +362,36 @@ void ExportDialog::draw_frames(EditorContext& context) {
     ImGui::SameLine(0, context.px(8));
     number(context, "step", choices.step, 1, std::max(1, last),
            "1: every frame, 2: every other one, and so on.\nDefault: 1.");
+}
+
+void ExportDialog::draw_morphs(EditorContext& context) {
+    ExportChoices& choices = context.state.exporting;
+    label(context, "Shapes");
+    number(context, "morph_targets", choices.morph_targets, 1, 1000,
+           "Shapes (morph targets) beside the first, 1 to 1000: of more frames every other one is taken, or "
+           "every\n"
+           "third, and other programs blend between them. Browsers are slow beyond 64.\nDefault: 64.");
+    ImGui::SameLine(0, context.px(8));
+    const auto shapes =
+        spread_frames(static_cast<std::size_t>(picture_count(context)), choices.morph_targets).size();
+    ImGui::TextUnformatted(
+        ("at most; " + std::to_string(shapes > 0 ? shapes - 1 : 0) + " for these frames").c_str());
+    record_item("export/morph_count");
+}
+
+void ExportDialog::draw_up(EditorContext& context) {
+    ExportChoices& choices = context.state.exporting;
+    label(context, "Up axis");
+    for (const char axis : {'z', 'y'}) {
+        if (ImGui::RadioButton(std::string(1, axis).c_str(), choices.up == axis))
+            choices.up = axis;
+        record_item(std::string("export/up/") + axis);
+        item_tooltip(
+            "Axis of the scene that points up, so that it stands upright elsewhere: z in medical data\n"
+            "(LPS), y in OpenSim's. Nothing is mirrored.\nDefault: z.");
+        ImGui::SameLine(0, context.px(12));
+    }
+    ImGui::NewLine();
 }
 
 void ExportDialog::draw_size(EditorContext& context) {

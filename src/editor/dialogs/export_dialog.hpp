@@ -21,6 +21,8 @@ private:
     void draw_frames(EditorContext& context);
     void draw_size(EditorContext& context);
     void draw_speed(EditorContext& context);
+    void draw_morphs(EditorContext& context);
+    void draw_up(EditorContext& context);
     void draw_target(EditorContext& context, ImVec2 size);
     void draw_note(EditorContext& context, const std::filesystem::path& target, float width);
     void start(EditorContext& context);

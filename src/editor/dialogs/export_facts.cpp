@@ -3,37 +3,13 @@
 #include "editor/features.hpp"
 #include "editor/frame_axis.hpp"
 #include "editor/widgets/paint.hpp"
-#include "fascicle/io/video_encoder.hpp"
 
 #include <cctype>
-#include <chrono>
 #include <cstdio>
-#include <cstdlib>
 
 namespace fascicle::editor {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-/// Looking through $PATH once a second, and when it has changed, is enough.
-bool has_encoder() {
-    static std::chrono::steady_clock::time_point looked{};
-    static std::string looked_in;
-    static bool found = false;
-    const auto now = std::chrono::steady_clock::now();
-    const char* path = std::getenv("PATH");
-    const std::string folders = path != nullptr ? path : "";
-    if (looked == std::chrono::steady_clock::time_point{} || folders != looked_in ||
-        now - looked > std::chrono::seconds(1)) {
-        found = !find_video_encoder().empty();
-        looked = now;
-        looked_in = folders;
-    }
-    return found;
-}
-
-} // namespace
 
 std::string reason_against(const EditorContext& context, std::string_view kind) {
     if (context.features.exporter.running())
@@ -47,8 +23,9 @@ std::string reason_against(const EditorContext& context, std::string_view kind) 
     if (shown.frame == nullptr)
         return context.document.scene().muscles.empty() ? "there is no muscle to compute a run for"
                                                         : "no frame is computed yet";
-    if (kind == "video" && !has_encoder())
-        return "no ffmpeg is installed that could make one; a GIF or numbered pictures need none";
+    if (row.reason_here != nullptr)
+        if (std::string reason = row.reason_here(); !reason.empty())
+            return reason;
     if (row.reason_against != nullptr)
         return row.reason_against(*shown.recording);
     return {};

@@ -17,7 +17,7 @@ namespace {
 /// What a project may refer to.
 std::vector<std::string> extensions() {
     std::vector<std::string> all = mesh_extensions();
-    all.insert(all.end(), {".csv", ".json", ".osim"});
+    all.insert(all.end(), {".csv", ".json", ".osim", ".mot", ".sto"});
     return all;
 }
 

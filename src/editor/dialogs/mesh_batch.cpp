@@ -1,5 +1,6 @@
 #include "editor/dialogs/mesh_batch.hpp"
 
+#include "editor/dialogs/repair_job.hpp"
 #include "fascicle/base/error.hpp"
 #include "fascicle/geometry/volume.hpp"
 
@@ -14,6 +15,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int longest_hole = 100; ///< edges; the filler's work grows with the third power
+
+} // namespace
 
 SurfaceFacts facts_of(TriMesh mesh, const MeshReport& report) {
     SurfaceFacts facts;
@@ -37,6 +40,8 @@ SurfaceFacts facts_of(TriMesh mesh, const MeshReport& report) {
     facts.mesh = std::make_shared<const TriMesh>(std::move(mesh));
     return facts;
 }
+
+namespace {
 
 /// Words of a name: letters, in lower case.
 std::vector<std::string> words_of(const std::string& name) {
@@ -95,7 +100,13 @@ ReadMesh read_mesh_with_facts(const fs::path& path) {
             read.filling = std::move(filling);
         }
     }
-    read.surface = facts_of(std::move(mesh), read.file.report);
+    const MeshReport& report = read.file.report;
+    if (!read.filled && (!report.closed() || report.nonmanifold_edges > 0 || report.nonmanifold_vertices > 0))
+        if (RepairResult result = repair(mesh); result.good()) {
+            read.repair_steps = result.steps;
+            read.repaired = repaired_facts(result);
+        }
+    read.surface = facts_of(std::move(mesh), report);
     return read;
 }
 
@@ -139,6 +150,12 @@ int MeshBatch::add(const std::vector<fs::path>& files) {
     }
     ++revision_;
     return last;
+}
+
+void MeshBatch::add_ready(MeshEntry entry) {
+    place(entry);
+    entries_.push_back(std::move(entry));
+    ++revision_;
 }
 
 void MeshBatch::remove(int index) {

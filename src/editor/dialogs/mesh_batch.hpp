@@ -5,6 +5,7 @@
 #include "fascicle/geometry/axis_mapping.hpp"
 #include "fascicle/geometry/bounding_box.hpp"
 #include "fascicle/geometry/fill_holes.hpp"
+#include "fascicle/geometry/repair/repair.hpp"
 #include "fascicle/io/mesh_hints.hpp"
 
 #include <atomic>
@@ -20,7 +21,9 @@ struct SurfaceFacts {
     double volume = 0; ///< cubic units; of a closed surface
     BoundingBox box;
     Points border, crowded; ///< ends of segments: edges with one triangle, with more than two
+    Points crossing;        ///< the same: sides of triangles that cross, of the first pairs
 };
+SurfaceFacts facts_of(TriMesh mesh, const MeshReport& report);
 
 /// What reading made of a file.
 struct ReadMesh {
@@ -29,8 +32,11 @@ struct ReadMesh {
     SurfaceFacts surface;
     std::optional<SurfaceFacts> filled; ///< holes closed; nothing when none can be
     HoleFilling filling;                ///< without its mesh
+    std::optional<SurfaceFacts>
+        repaired; ///< of a mesh with worse than holes, if a repair makes a solid of it
+    std::vector<RepairStep> repair_steps;
 };
-/// Reads, checks, and tries to fill the holes. Error as read_mesh_file.
+/// Reads, checks, and tries to fill the holes or to repair it. Error as read_mesh_file.
 ReadMesh read_mesh_with_facts(const std::filesystem::path& path);
 
 struct MeshEntry {
@@ -39,14 +45,19 @@ struct MeshEntry {
     std::shared_ptr<const ReadMesh> read; ///< null while waiting, and when it failed
     std::string problem;                  ///< why it cannot be read
     actions::MeshRole role = actions::MeshRole::bone;
-    bool moving = false, fill = false;
+    bool moving = false, fill = false, repair = false;
     double scale = 1; ///< scene units per unit of the file
     AxisMapping axes = AxisMapping::as_is;
     bool scale_guessed = false, axes_guessed = false;
-    MeshPtr placed; ///< in scene units and axes
+    MeshPtr placed;         ///< in scene units and axes
+    std::string stands_for; ///< the bone or muscle of the scene that it replaces in a picture; empty: none
 
-    /// As it will be added: with its holes filled or not. Only when read.
-    const SurfaceFacts& surface() const { return fill && read->filled ? *read->filled : read->surface; }
+    /// As it will be added: repaired, with its holes filled, or as it is. Only when read.
+    const SurfaceFacts& surface() const {
+        return repair && read->repaired ? *read->repaired
+               : fill && read->filled   ? *read->filled
+                                        : read->surface;
+    }
     /// Half a sentence why it cannot be what it is to be; empty: it can.
     std::string obstacle() const;
 };
@@ -60,6 +71,8 @@ public:
 
     /// Index of the last one; a file that is in the list already is only found again.
     int add(const std::vector<std::filesystem::path>& files);
+    /// One that was not read from a file: entry.read is there.
+    void add_ready(MeshEntry entry);
     void remove(int index);
     /// Gives up what is being read, too.
     void clear();

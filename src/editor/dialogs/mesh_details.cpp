@@ -222,6 +222,15 @@ void MeshDialog::draw_findings(EditorContext& context, const MeshEntry& entry) {
                                        100 * filling.added_area / filling.surface_area);
         item_tooltip("Closes the border " + what + ". No vertex is added or moved.");
         wrapped_text(theme.text_faint, (fill ? "Filled " : "Possible ") + what + ".");
+    } else if (entry.read->repaired) {
+        bool repair = entry.repair;
+        if (ImGui::Checkbox("Repair it", &repair))
+            batch_.change(selected_, [&](MeshEntry& e) { e.repair = repair; });
+        record_item("mesh/repair");
+        item_tooltip("Makes a closed, manifold surface of it. With more choices: Edit, Repair mesh, once it "
+                     "is there.");
+        for (const RepairStep& step : entry.read->repair_steps)
+            wrapped_text(theme.text_faint, step.text);
     } else if (report.boundary_edges > 0 && entry.role == MeshRole::muscle) {
         wrapped_text(theme.text_dim,
                      "The holes are too large or too tangled to be filled here: close the surface in "

@@ -11,7 +11,8 @@ namespace fascicle::editor {
 namespace {
 
 constexpr float faint = 0.3f; ///< alpha of what is in the scene already
-constexpr render::Rgba border_colour{1.0f, 0.78f, 0.10f, 1.0f}, crowded_colour{1.0f, 0.25f, 0.85f, 1.0f};
+constexpr render::Rgba border_colour{1.0f, 0.78f, 0.10f, 1.0f}, crowded_colour{1.0f, 0.25f, 0.85f, 1.0f},
+    crossing_colour{0.25f, 0.85f, 1.0f, 1.0f};
 
 std::shared_ptr<const std::vector<render::Vec3f>> placed_segments(const MeshEntry& entry,
                                                                   const Points& ends) {
@@ -27,7 +28,8 @@ std::shared_ptr<const std::vector<render::Vec3f>> placed_segments(const MeshEntr
 
 void add_defects(render::DrawList& list, const MeshEntry& entry) {
     const std::pair<const Points*, render::Rgba> kinds[] = {{&entry.surface().border, border_colour},
-                                                            {&entry.surface().crowded, crowded_colour}};
+                                                            {&entry.surface().crowded, crowded_colour},
+                                                            {&entry.surface().crossing, crossing_colour}};
     for (const auto& [ends, colour] : kinds) {
         if (ends->empty())
             continue;
@@ -60,9 +62,16 @@ void MeshPreview::rebuild(const EditorContext& context, const MeshBatch& batch) 
     auto scene = std::make_shared<Scene>(*scene_for_);
     scene->timeline = {};
     scene->line_muscles = nullptr;
+    const auto hide = [&](auto& list, const std::string& name) {
+        for (auto& object : list) // an empty mesh in its place: numbers of items stay
+            if (!name.empty() && object.name == name)
+                object.mesh = std::make_shared<const TriMesh>();
+    };
     for (const MeshEntry& entry : batch.entries()) {
         if (entry.placed == nullptr)
             continue;
+        hide(scene->bones, entry.stands_for);
+        hide(scene->muscles, entry.stands_for);
         if (entry.role == actions::MeshRole::bone) {
             scene->bones.push_back({entry.name, entry.placed, {}});
         } else {
@@ -176,11 +185,12 @@ void MeshPreview::draw(EditorContext& context, const MeshBatch& batch, int selec
     const unsigned picture = texture(context, batch, selected, width, height);
     list.AddImageRounded(render::texture_id(picture), area.min, area.max, {0, 1}, {1, 0}, 0xffffffff,
                          context.px(4));
-    bool border = false, crowded = false;
+    bool border = false, crowded = false, crossing = false;
     for (const MeshEntry& entry : batch.entries())
         if (entry.read != nullptr) {
             border |= !entry.surface().border.empty();
             crowded |= !entry.surface().crowded.empty();
+            crossing |= !entry.surface().crossing.empty();
         }
     float y = area.max.y - context.px(26);
     const auto legend = [&](bool there, const render::Rgba& colour, const char* text) {
@@ -193,6 +203,7 @@ void MeshPreview::draw(EditorContext& context, const MeshBatch& batch, int selec
                      ImGui::ColorConvertFloat4ToU32({colour[0], colour[1], colour[2], 1}), context.px(3));
         y -= context.px(26);
     };
+    legend(crossing, crossing_colour, "Crossing triangles");
     legend(crowded, crowded_colour, "More than two triangles");
     legend(border, border_colour, "Open border");
 }

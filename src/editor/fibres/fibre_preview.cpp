@@ -42,8 +42,8 @@ bool same_fibres(const Scene& a, const Scene& b) {
     const auto same_muscle = [](const Muscle& x, const Muscle& y) {
         return x.name == y.name && x.surface_fibres == y.surface_fibres &&
                x.fibre_template == y.fibre_template && x.attach_automatically == y.attach_automatically &&
-               x.areas == y.areas && same_attachments(x.attachments, y.attachments) &&
-               same_outlines(x.outlines, y.outlines);
+               x.attach_to == y.attach_to && x.areas == y.areas &&
+               same_attachments(x.attachments, y.attachments) && same_outlines(x.outlines, y.outlines);
     };
     return a.unit == b.unit && same_bodies(a, b) &&
            std::equal(a.muscles.begin(), a.muscles.end(), b.muscles.begin(), b.muscles.end(), same_muscle);

@@ -19,7 +19,8 @@ public:
         if (!ImGui::BeginMenuBar())
             return;
         file_menu(context);
-        menu(context, "Edit", {C::undo, C::redo}, {C::paint_mode, C::remove_selected, C::deselect});
+        menu(context, "Edit", {C::undo, C::redo},
+             {C::paint_mode, C::repair_mesh, C::remove_selected, C::deselect});
         menu(context, "Scene",
              {C::open_file, C::load_attachments, C::load_surface_fibres, C::load_fibre_template,
               C::load_lines},
@@ -63,7 +64,7 @@ private:
     static void file_menu(EditorContext& context) {
         if (!begin("File"))
             return;
-        items(context, {C::new_project, C::open_project, C::show_start_page});
+        items(context, {C::new_project, C::open_project, C::open_model, C::show_start_page});
         ImGui::Separator();
         items(context, {C::save_project, C::save_project_as});
         ImGui::Separator();

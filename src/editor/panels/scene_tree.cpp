@@ -113,6 +113,7 @@ private:
         for (const Command command : {C::frame_selection, C::hide_selected, C::hide_others, C::show_all})
             menu_item(context, command);
         ImGui::Separator();
+        menu_item(context, C::repair_mesh);
         menu_item(context, C::remove_selected);
         ImGui::EndPopup();
     }

@@ -42,6 +42,8 @@ SurfaceMeasures measure(const TriMesh& mesh, bool closed) {
     return out;
 }
 
+constexpr std::size_t most_pairs = 1000; ///< of crossing triangles that are named
+
 class Repairer {
 public:
     Repairer(TriMesh mesh, const RepairOptions& options, const JobControl& control)
@@ -183,7 +185,7 @@ private:
              count(moved, "vertex that lay on another sheet's moved off it by a thousandth of an edge",
                    "vertices that lay on those of other sheets moved off them by a thousandth of an edge"));
         control_.checkpoint("crossings", 0.88);
-        crossings_ = find_crossings(m_.mesh, options_.threads, control_);
+        crossings_ = find_crossings(m_.mesh, options_.threads, control_, most_pairs);
         if (options_.untangle && crossings_.pairs > 0) {
             const int before = crossings_.pairs;
             crossings_ = detail::untangle(m_, crossings_, options_.threads, control_);
@@ -260,6 +262,7 @@ private:
         const MeshReport& r = result_.after;
         if (crossings_.pairs > 0)
             result_.left.push_back(
+                (crossings_.complete ? "" : "at least ") +
                 count(crossings_.pairs, "pair of triangles crosses", "pairs of triangles cross") +
                 ", the first are triangles " + std::to_string(crossings_.first[0][0]) + " and " +
                 std::to_string(crossings_.first[0][1]));

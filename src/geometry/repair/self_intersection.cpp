@@ -212,17 +212,25 @@ CrossingReport find_crossings(const TriMesh& mesh, int threads, const JobControl
     CrossingReport report;
     const BoxTree tree(mesh, 4);
     constexpr std::size_t chunk = 1024;
+    constexpr std::size_t most_pairs = 20000, most_visits = 4000000; // in a chunk
     std::vector<std::vector<std::array<int, 2>>> found((tree.size() + chunk - 1) / chunk);
+    std::vector<char> cut(found.size(), 0);
     parallel_for(threads, tree.size(), chunk, [&](std::size_t begin, std::size_t end) {
         if (control.cancelled())
             throw Cancelled();
         std::vector<std::array<int, 2>>& pairs = found[begin / chunk];
+        std::size_t visits = 0;
         for (std::size_t slot = begin; slot < end; ++slot) {
+            if (pairs.size() >= most_pairs || visits >= most_visits) {
+                cut[begin / chunk] = 1;
+                return;
+            }
             const int a = tree.triangle(slot);
             const Tri& s = mesh.triangles[static_cast<std::size_t>(a)];
             if (has_repeated_index(s))
                 continue;
             tree.later_neighbours(slot, [&](std::size_t other) {
+                ++visits;
                 const int b = tree.triangle(other);
                 const Tri& t = mesh.triangles[static_cast<std::size_t>(b)];
                 if (!has_repeated_index(t) && triangles_cross(mesh.positions, s, t))
@@ -233,6 +241,7 @@ CrossingReport find_crossings(const TriMesh& mesh, int threads, const JobControl
     std::vector<std::array<int, 2>> all;
     for (const auto& pairs : found)
         all.insert(all.end(), pairs.begin(), pairs.end());
+    report.complete = std::find(cut.begin(), cut.end(), 1) == cut.end();
     std::sort(all.begin(), all.end());
     report.pairs = static_cast<int>(all.size());
     for (const auto& pair : all)

@@ -1,6 +1,8 @@
 #include "fascicle/geometry/mesh_topology.hpp"
 #include "geometry/repair/steps.hpp"
 
+#include <algorithm>
+
 namespace fascicle::detail {
 
 namespace {
@@ -55,7 +57,7 @@ CrossingReport untangle(RepairMesh& m, CrossingReport crossings, int threads, co
             for (std::size_t i = 0; i < around.size(); ++i)
                 trial.positions[at(around[i])] = next[i];
         }
-        now = find_crossings(trial, threads, control);
+        now = find_crossings(trial, threads, control, std::max<std::size_t>(10, crossings.first.size()));
         if (now.pairs < crossings.pairs) {
             crossings = now;
             m.mesh.positions = trial.positions;

@@ -20,7 +20,7 @@ constexpr std::size_t nowhere = static_cast<std::size_t>(-1), position = static_
 int numbered(const std::string& name, std::string& stem) {
     const std::size_t bar = name.rfind('_');
     long long number = -1;
-    if (bar == std::string::npos || bar == 0 || name.size() - bar > 4 ||
+    if (bar == std::string::npos || bar == 0 || name.size() - bar > 7 ||
         to_integer(std::string_view(name).substr(bar + 1), number) != NumberCheck::ok || number < 0 ||
         std::to_string(number).size() != name.size() - bar - 1)
         return -1;

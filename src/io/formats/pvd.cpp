@@ -1,5 +1,6 @@
 #include "io/formats/pvd.hpp"
 
+#include "fascicle/base/error.hpp"
 #include "fascicle/base/param_table.hpp"
 #include "io/formats/text_scanner.hpp"
 #include "io/formats/xml_reader.hpp"

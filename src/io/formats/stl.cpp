@@ -152,7 +152,8 @@ void write_stl(std::ostream& out, const MeshData& data) {
     put_little_endian(text, data.mesh.triangles.size(), 4);
     const auto put = [&](const Vec3& p) {
         for (int k = 0; k < 3; ++k)
-            put_little_endian(text, std::bit_cast<std::uint32_t>(static_cast<float>(p[k])), 4);
+            put_little_endian(text, std::bit_cast<std::uint32_t>(static_cast<float>(p[k]) + 0.0f),
+                              4); // no -0
     };
     const Points& points = data.mesh.positions;
     for (const Vec3& p : points)

@@ -19,11 +19,6 @@ std::optional<NumberType> number_type(const std::string& name) {
     return std::nullopt;
 }
 
-void add_numbers(std::string_view bytes, NumberType type, bool big_endian, std::vector<double>& values) {
-    for (std::size_t i = 0; i < bytes.size(); i += type.size)
-        values.push_back(to_number(take_bits(bytes, i, type.size, big_endian), type));
-}
-
 void read_appended(const XmlReader& xml, VtpEncoding& encoding, NumberType type,
                    std::vector<double>& values) {
     const std::string text = xml.attribute("offset");
@@ -37,14 +32,12 @@ void read_appended(const XmlReader& xml, VtpEncoding& encoding, NumberType type,
                  "at most " + std::to_string(encoding.appended.size()) + ", the size of the appended data");
     VtpByteSource source(encoding.appended.substr(static_cast<std::size_t>(offset)),
                          encoding.appended_is_base64);
-    read_vtp_data(xml, source, encoding, type.size,
-                  [&](std::string_view bytes) { add_numbers(bytes, type, encoding.big_endian, values); });
+    read_vtp_data(xml, source, encoding, type, values);
 }
 
 void read_inline(const XmlReader& xml, VtpEncoding& encoding, NumberType type, std::vector<double>& values) {
     VtpByteSource source(xml.text(), true);
-    read_vtp_data(xml, source, encoding, type.size,
-                  [&](std::string_view bytes) { add_numbers(bytes, type, encoding.big_endian, values); });
+    read_vtp_data(xml, source, encoding, type, values);
     if (!source.at_end())
         xml.fail("more binary data than their header says", "</DataArray>");
 }

@@ -1,7 +1,6 @@
 #include "io/formats/vtp_data.hpp"
 
 #include "io/base64.hpp"
-#include "io/formats/binary_numbers.hpp"
 #include "io/formats/text_scanner.hpp"
 
 #include <algorithm>
@@ -25,33 +24,39 @@ std::uint64_t take_number(const XmlReader& xml, VtpByteSource& source, const Vtp
 }
 
 /// Takes what an array of `bytes` needs from the limit of the file.
-void count_numbers(const XmlReader& xml, VtpEncoding& encoding, std::uint64_t bytes,
-                   std::size_t number_bytes) {
-    if (bytes % number_bytes != 0)
+void count_numbers(const XmlReader& xml, VtpEncoding& encoding, std::uint64_t bytes, NumberType type,
+                   std::vector<double>& values) {
+    if (bytes % type.size != 0)
         xml.fail("binary data of " + std::to_string(bytes) + " bytes",
-                 "whole numbers of " + std::to_string(number_bytes) + " bytes");
-    if (bytes / number_bytes > encoding.numbers_left)
+                 "whole numbers of " + std::to_string(type.size) + " bytes");
+    if (bytes / type.size > encoding.numbers_left)
         xml.fail("arrays of more numbers than a file of this size is trusted with",
-                 "at most 8 million and 8 for every byte of the file");
-    encoding.numbers_left -= bytes / number_bytes;
+                 "at most 4 million and 8 for every byte of the file");
+    encoding.numbers_left -= bytes / type.size;
+    values.reserve(values.size() + static_cast<std::size_t>(bytes / type.size));
 }
 
-void read_plain(const XmlReader& xml, VtpByteSource& source, VtpEncoding& encoding, std::size_t number_bytes,
-                const std::function<void(std::string_view)>& visit) {
+void add_numbers(std::string_view bytes, NumberType type, bool big_endian, std::vector<double>& values) {
+    for (std::size_t i = 0; i < bytes.size(); i += type.size)
+        values.push_back(to_number(take_bits(bytes, i, type.size, big_endian), type));
+}
+
+void read_plain(const XmlReader& xml, VtpByteSource& source, VtpEncoding& encoding, NumberType type,
+                std::vector<double>& values) {
     const std::uint64_t length = take_number(xml, source, encoding);
     if (length > source.most_left())
         xml.fail("binary data of at most " + std::to_string(source.most_left()) + " bytes",
                  std::to_string(length) + ", as their header says");
-    count_numbers(xml, encoding, length, number_bytes);
+    count_numbers(xml, encoding, length, type, values);
     std::string_view bytes;
     if (!source.take(static_cast<std::size_t>(length), bytes))
         fail_ends(xml, std::to_string(length) + " bytes, as their header says");
-    visit(bytes);
+    add_numbers(bytes, type, encoding.big_endian, values);
 }
 
 /// [number of blocks][bytes of a block][bytes of the last one, 0: whole][compressed bytes of each], then the blocks.
-void read_zlib(const XmlReader& xml, VtpByteSource& source, VtpEncoding& encoding, std::size_t number_bytes,
-               const std::function<void(std::string_view)>& visit) {
+void read_zlib(const XmlReader& xml, VtpByteSource& source, VtpEncoding& encoding, NumberType type,
+               std::vector<double>& values) {
     const std::uint64_t blocks = take_number(xml, source, encoding);
     const std::uint64_t block_bytes = take_number(xml, source, encoding);
     const std::uint64_t last_bytes = take_number(xml, source, encoding);
@@ -70,7 +75,7 @@ void read_zlib(const XmlReader& xml, VtpByteSource& source, VtpEncoding& encodin
         xml.fail(std::to_string(blocks) + " compressed blocks of " + std::to_string(block_bytes) + " bytes",
                  "no more than zlib can pack into the data");
     const std::uint64_t total = whole_blocks * block_bytes + last_bytes;
-    count_numbers(xml, encoding, total, number_bytes);
+    count_numbers(xml, encoding, total, type, values);
     std::string inflated; // a block, after what was left of a number that the one before cut through
     for (std::size_t b = 0; b < sizes.size(); ++b) {
         const std::uint64_t wanted = b + 1 == sizes.size() && last_bytes > 0 ? last_bytes : block_bytes;
@@ -86,8 +91,8 @@ void read_zlib(const XmlReader& xml, VtpByteSource& source, VtpEncoding& encodin
         if (code != Z_OK || size != wanted)
             xml.fail("compressed block " + std::to_string(b) + " is damaged",
                      std::to_string(wanted) + " bytes of zlib data");
-        const std::size_t whole = inflated.size() / number_bytes * number_bytes;
-        visit(std::string_view(inflated).substr(0, whole));
+        const std::size_t whole = inflated.size() / type.size * type.size;
+        add_numbers(std::string_view(inflated).substr(0, whole), type, encoding.big_endian, values);
         inflated.erase(0, whole);
     }
 }
@@ -128,12 +133,12 @@ bool VtpByteSource::at_end() {
     return run_.empty() && (base64_ ? trimmed(text_) : text_).empty();
 }
 
-void read_vtp_data(const XmlReader& xml, VtpByteSource& source, VtpEncoding& encoding,
-                   std::size_t number_bytes, const std::function<void(std::string_view)>& visit) {
+void read_vtp_data(const XmlReader& xml, VtpByteSource& source, VtpEncoding& encoding, NumberType type,
+                   std::vector<double>& values) {
     if (encoding.compressor.empty())
-        return read_plain(xml, source, encoding, number_bytes, visit);
+        return read_plain(xml, source, encoding, type, values);
     if (encoding.compressor == "vtkZLibDataCompressor")
-        return read_zlib(xml, source, encoding, number_bytes, visit);
+        return read_zlib(xml, source, encoding, type, values);
     const std::string known = encoding.compressor == "vtkLZ4DataCompressor"    ? "LZ4"
                               : encoding.compressor == "vtkLZMADataCompressor" ? "LZMA"
                                                                                : shown(encoding.compressor);

@@ -1,10 +1,11 @@
 #pragma once
 // Binary data of VTK XML files: raw or base64, plain or in blocks of zlib, as bytes.
 
+#include "io/formats/binary_numbers.hpp"
 #include "io/formats/xml_reader.hpp"
 
 #include <cstdint>
-#include <functional>
+#include <vector>
 
 namespace fascicle::io {
 
@@ -21,9 +22,9 @@ struct VtpEncoding {
     std::uint64_t numbers_left = 0;
 };
 
-/// numbers_left for a file of this size: 8 million (64 MB), and 8 for every byte of the file.
+/// numbers_left for a file of this size: 4 million (32 MB), and 8 for every byte of the file.
 inline std::uint64_t vtp_number_limit(std::size_t file_bytes) {
-    return 8'000'000 + 8 * static_cast<std::uint64_t>(file_bytes);
+    return 4'000'000 + 8 * static_cast<std::uint64_t>(file_bytes);
 }
 
 /// Bytes from a text, decoded piece by piece.
@@ -48,10 +49,10 @@ private:
     std::string taken_; ///< what the last view looks at
 };
 
-/// Reads the data of one array of numbers of `number_bytes`, its header first, and calls visit(bytes) with runs of whole numbers.
-/// Error naming the place when anything is not as the header says, or beyond encoding.numbers_left, which is lowered.
-void read_vtp_data(const XmlReader& xml, VtpByteSource& source, VtpEncoding& encoding,
-                   std::size_t number_bytes, const std::function<void(std::string_view)>& visit);
+/// Appends the numbers of one array, whose data begin with their header. Error naming the place when anything is not as the header
+/// says, or beyond encoding.numbers_left, which is lowered.
+void read_vtp_data(const XmlReader& xml, VtpByteSource& source, VtpEncoding& encoding, NumberType type,
+                   std::vector<double>& values);
 
 /// Finds the appended data of a file, which stand behind the arrays that name them. Error when the file ends within.
 void find_appended_data(std::string_view bytes, const std::string& file, VtpEncoding& encoding);

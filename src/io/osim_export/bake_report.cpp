@@ -1,6 +1,7 @@
 #include "io/osim_export/bake_report.hpp"
 
 #include "fascicle/anatomy/line_measure.hpp"
+#include "fascicle/metrics/moment_arm.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -106,8 +107,9 @@ void BakeReport::measure(int muscle, const FibreCourse& course, const std::vecto
         x.push_back(places_[s]);
     const bool arms = !course.arms.empty();
     if (!arms)
-        report.moment_arm_mm = report.moment_arm_between_mm = report.opensim_moment_arm_mm =
+        report.moment_arm_mm = report.exact_moment_arm_mm = report.opensim_moment_arm_mm =
             std::numeric_limits<double>::quiet_NaN();
+    std::vector<double> lengths; // of the model, at the frames
     for (std::size_t s = 0; s < places_.size(); ++s) {
         const std::size_t k = s / 2;
         const bool between = s % 2 == 1;
@@ -116,18 +118,24 @@ void BakeReport::measure(int muscle, const FibreCourse& course, const std::vecto
         raise(between ? report.length_between_mm : report.length_mm, mm * (line.length - length));
         if (arms) {
             const double arm = between ? half_way(x, course.arms, k) : course.arms[k];
-            raise(between ? report.moment_arm_between_mm : report.moment_arm_mm,
-                  mm * (line.moment_arm - arm));
+            raise(report.exact_moment_arm_mm, mm * (line.moment_arm - arm));
             raise(report.opensim_moment_arm_mm,
                   mm * (opensim_moment_arm(model_, muscle, 0, postures_[s]) - arm));
         }
         if (between)
             continue;
+        lengths.push_back(line.length);
         for (std::size_t i = 0; i < simulated.size(); ++i)
             if (simulated[i] >= 0)
                 raise(
                     report.point_mm,
                     mm * (line.polyline.at(i) - course.at(k, static_cast<std::size_t>(simulated[i]))).norm());
+    }
+    if (arms) { // values go up with the flexion angle: sign 1
+        const std::vector<double> run = excursion_arms(x, course.lengths, 1, 1),
+                                  model = excursion_arms(x, lengths, 1, 1);
+        for (std::size_t k = 0; k < run.size(); ++k)
+            raise(report.moment_arm_mm, mm * (model[k] - run[k]));
     }
     if (other_frames_.empty())
         report.length_other_frames_mm = std::numeric_limits<double>::quiet_NaN();

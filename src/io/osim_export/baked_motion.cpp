@@ -1,5 +1,6 @@
 #include "io/osim_export/baked_motion.hpp"
 
+#include "fascicle/base/text.hpp"
 #include "fascicle/metrics/moment_arm.hpp"
 #include "fascicle/motion/joint_function.hpp"
 
@@ -173,12 +174,12 @@ BakedMotion bake_motion(const Recording& recording, const ToModel& to_model, Osi
         BakedBody body;
         body.name = names.unique(osim_name(scene.bones[b].name, "bone"));
         body.bone = static_cast<int>(b);
-        body.mesh_file = body.name + ".vtp";
+        body.mesh_file = file_name_for(body.name) + ".vtp"; // names may be longer than those of files
         model.bodies.push_back(std::move(body));
     }
     for (std::size_t k = 0; k < frames; ++k)
         motion.angles_rad.push_back(recording.frame(static_cast<int>(k))->angle_rad);
-    motion.sign = flexion_sign(scene.timeline);
+    motion.sign = flexion_sign(scene);
     motion.turns.assign(bones + 1, 0);
     for (std::size_t k = 0; k < frames; ++k) {
         motion.poses.emplace_back(bones + 1);
@@ -220,6 +221,8 @@ BakedMotion bake_motion(const Recording& recording, const ToModel& to_model, Osi
                 span = s;
         for (const double angle : motion.angles_rad)
             motion.values.push_back(motion.sign * angle + 0.0); // no -0
+        motion.span_first = static_cast<int>(span.first);
+        motion.span_last = static_cast<int>(span.last);
         for (std::size_t k = span.first; k <= span.last; ++k)
             fitted.push_back(static_cast<int>(k));
     } else {

@@ -12,6 +12,7 @@ struct BakedMotion {
     std::vector<double> values;                  ///< of the first coordinate, per frame of the recording
     std::vector<double> angles_rad;              ///< of the recording's frames, as in metrics.csv
     double sign = 1;                             ///< flexion_sign of the timeline
+    int span_first = 0, span_last = 0;           ///< places in the recording: of the fitted span of a joint
     std::vector<int> fitted; ///< places in the recording, ascending by value, no two equal
     /// Frames of the recording x bodies. A bone that stays is where its mesh is written: at `placed`, its body not moved.
     std::vector<std::vector<Pose>> poses;

@@ -78,12 +78,16 @@ void FibreCourses::for_each_part(
             }
         }
         if (motion_.kind == OsimCoordinate::joint) {
-            const std::vector<double> arms = excursion_arms(motion_.angles_rad, lengths, size, motion_.sign);
-            for (int f = 0; f < size; ++f)
+            // Of the span alone: as fibres.csv, but for a first frame that belongs to the span before.
+            const auto from = static_cast<std::size_t>(motion_.span_first);
+            const std::size_t span = static_cast<std::size_t>(motion_.span_last) - from + 1;
+            const auto columns = static_cast<std::size_t>(size);
+            const std::vector<double> arms = excursion_arms(
+                std::span(motion_.angles_rad).subspan(from, span),
+                std::span(lengths).subspan(from * columns, span * columns), size, motion_.sign);
+            for (std::size_t f = 0; f < columns; ++f)
                 for (const int k : motion_.fitted)
-                    courses[static_cast<std::size_t>(f)].arms.push_back(
-                        arms[static_cast<std::size_t>(k) * static_cast<std::size_t>(size) +
-                             static_cast<std::size_t>(f)]);
+                    courses[f].arms.push_back(arms[(static_cast<std::size_t>(k) - from) * columns + f]);
         }
         use(first, courses);
     }

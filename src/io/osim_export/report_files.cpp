@@ -26,10 +26,11 @@ constexpr std::array<QuantityRow, 7> quantities{{
     {"length_difference_mm", "length, at the fitted frames", &OsimFibreReport::length_mm},
     {"length_difference_between_mm", "length, half-way between the fitted frames",
      &OsimFibreReport::length_between_mm},
-    {"moment_arm_difference_mm", "geometric moment arm -dL/dq against fibres.csv, at the fitted frames",
+    {"moment_arm_difference_mm", "moment arm by tendon excursion, of both by the method of fibres.csv",
      &OsimFibreReport::moment_arm_mm},
-    {"moment_arm_difference_between_mm", "the same half-way between the fitted frames",
-     &OsimFibreReport::moment_arm_between_mm},
+    {"exact_moment_arm_difference_mm",
+     "exact -dL/dq of the model against fibres.csv, at the fitted frames and between",
+     &OsimFibreReport::exact_moment_arm_mm},
     {"opensim_moment_arm_difference_mm",
      "moment arm as OpenSim's solver computes it against fibres.csv, at the fitted frames and between",
      &OsimFibreReport::opensim_moment_arm_mm},
@@ -71,22 +72,25 @@ std::string summary_line(const OsimExportReport& report) {
             most = std::max(most, f.knots);
         }
     }
-    const auto worst = [&](double OsimFibreReport::*a, double OsimFibreReport::*b) {
-        return std::fmax(report.largest(a), report.largest(b));
-    };
     std::string line = counted(report.fibres.size(), "fibre") + ", " + counted(points, "path point") + " (" +
                        std::to_string(moving) + " moving";
     if (moving > 0)
         line += ", " + std::to_string(least) +
                 (least == most ? std::string() : " to " + std::to_string(most)) + " knots";
     line += "): length within " +
-            two_decimals(worst(&OsimFibreReport::length_mm, &OsimFibreReport::length_between_mm)) + " mm";
-    const double arm = worst(&OsimFibreReport::moment_arm_mm, &OsimFibreReport::moment_arm_between_mm);
+            two_decimals(std::fmax(report.largest(&OsimFibreReport::length_mm),
+                                   report.largest(&OsimFibreReport::length_between_mm))) +
+            " mm";
+    const double arm = report.largest(&OsimFibreReport::moment_arm_mm);
     if (std::isfinite(arm))
-        line += ", moment arm within " + two_decimals(arm) + " mm (OpenSim's own within " +
-                two_decimals(report.largest(&OsimFibreReport::opensim_moment_arm_mm)) + " mm)";
+        line += ", moment arm within " + two_decimals(arm) + " mm";
     line += " of the simulated ones, at " + counted(static_cast<std::size_t>(report.fitted_frames), "frame") +
             " and between";
+    if (std::isfinite(arm))
+        line += " (arms by tendon excursion; the model's exact -dL/dq within " +
+                two_decimals(report.largest(&OsimFibreReport::exact_moment_arm_mm)) +
+                " mm, OpenSim's solver " +
+                two_decimals(report.largest(&OsimFibreReport::opensim_moment_arm_mm)) + " mm)";
     if (const double back = report.largest(&OsimFibreReport::length_other_frames_mm); std::isfinite(back))
         line += "; in the " + counted(static_cast<std::size_t>(report.other_frames), "other frame") +
                 " the length differs by up to " + two_decimals(back) + " mm";

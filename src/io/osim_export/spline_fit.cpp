@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fascicle::io {
 namespace {
@@ -48,37 +49,75 @@ SplineFit::SplineFit(std::size_t count, const std::vector<double>& places)
     FASCICLE_ASSERT(count >= 2 && count <= places.size());
 }
 
-LengthTarget::LengthTarget(std::span<const double> places, std::span<const double> lengths,
-                           std::span<const double> arms, double tolerance) {
-    const auto count = Eigen::Index(places.size());
-    const Eigen::Index degree = std::min<Eigen::Index>(8, count - 1);
-    middle_ = 0.5 * (places.front() + places.back());
-    half_ = std::max(0.5 * (places.back() - places.front()), 1e-12);
-    Eigen::MatrixXd rows(2 * count, degree + 1);
-    Eigen::VectorXd wanted(2 * count);
-    for (Eigen::Index k = 0; k < count; ++k) {
-        Eigen::RowVectorXd values(degree + 1), slopes(degree + 1);
-        chebyshev((places[std::size_t(k)] - middle_) / half_, values, slopes);
-        rows.row(k) = values;
-        rows.row(count + k) = slopes / -half_;
-        wanted[k] = lengths[std::size_t(k)];
-        wanted[count + k] = arms[std::size_t(k)];
-    }
-    Eigen::VectorXd weights = Eigen::VectorXd::Ones(2 * count);
+namespace {
+
+/// Least weighted squares of rows c - wanted, with weights raised where errors are largest, until none is above `enough`: the c with the
+/// smallest largest error.
+Eigen::VectorXd smallest_largest_error(const Eigen::MatrixXd& rows, const Eigen::VectorXd& wanted,
+                                       double enough) {
+    Eigen::VectorXd weights = Eigen::VectorXd::Ones(wanted.size()), best_c;
     double best = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < 12 && best > 0.8 * tolerance; ++round) {
+    for (int round = 0; round < 40 && best > enough; ++round) {
         const Eigen::VectorXd root = weights.cwiseSqrt();
         const Eigen::VectorXd c =
             (root.asDiagonal() * rows).colPivHouseholderQr().solve(root.cwiseProduct(wanted));
         const Eigen::VectorXd errors = (rows * c - wanted).cwiseAbs();
         const double largest = errors.maxCoeff();
         if (largest < best)
-            best = largest, coefficients_ = c;
+            best = largest, best_c = c;
         if (!(largest > 0))
             break;
         weights = weights.cwiseProduct((errors.array() / largest + 0.05).matrix());
         weights /= weights.mean();
     }
+    return best_c;
+}
+
+} // namespace
+
+LengthTarget::LengthTarget(std::span<const double> places, std::span<const double> lengths,
+                           std::span<const double> arms, double tolerance) {
+    const auto count = Eigen::Index(places.size());
+    const Eigen::Index degree = std::min<Eigen::Index>(10, count - 1),
+                       kept = std::min<Eigen::Index>(4, degree);
+    middle_ = 0.5 * (places.front() + places.back());
+    half_ = std::max(0.5 * (places.back() - places.front()), 1e-12);
+    Eigen::MatrixXd values(count, degree + 1), slopes(count, degree + 1);
+    for (Eigen::Index k = 0; k < count; ++k) {
+        Eigen::RowVectorXd v(degree + 1), s(degree + 1);
+        chebyshev((places[std::size_t(k)] - middle_) / half_, v, s);
+        values.row(k) = v;
+        slopes.row(k) = s / half_;
+    }
+    // values = Q U: the columns of Q are the p_n at the frames, U^-1 their coefficients.
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(values);
+    const Eigen::MatrixXd inverse = qr.matrixQR()
+                                        .topRows(degree + 1)
+                                        .triangularView<Eigen::Upper>()
+                                        .solve(Eigen::MatrixXd::Identity(degree + 1, degree + 1));
+    const Eigen::MatrixXd p = values * inverse, dp = slopes * inverse;
+    const Eigen::Map<const Eigen::VectorXd> l(lengths.data(), count), r(arms.data(), count);
+
+    Eigen::VectorXd c = p.transpose() * l;
+    c[0] = 0;
+    c.tail(degree - kept).setZero();
+    const Eigen::Index open = 1 + degree - kept;
+    Eigen::MatrixXd rows(2 * count, open);
+    rows << p.col(0), p.rightCols(degree - kept), -dp.col(0), -dp.rightCols(degree - kept);
+    Eigen::VectorXd wanted(2 * count);
+    wanted << l - p * c, r + dp * c;
+    Eigen::VectorXd found;
+    constexpr double step = 1.25;
+    for (double s = 1; s < 8; s *= step) {
+        found = smallest_largest_error(rows, wanted, 0.8 * tolerance);
+        if ((rows * found - wanted).head(count).cwiseAbs().maxCoeff() <= 0.95 * tolerance)
+            break;
+        rows.bottomRows(count) /= step;
+        wanted.tail(count) /= step;
+    }
+    c[0] = found[0];
+    c.tail(degree - kept) = found.tail(open - 1);
+    coefficients_ = inverse * c;
 }
 
 double LengthTarget::length(double q) const {

@@ -28,12 +28,15 @@ private:
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver_;
 };
 
-/// What the length of a fibre shall be: a polynomial P(q), degree 8 or less, as near to the lengths L_k as -P' to the moment arms r_k,
-///   sum_k u_k (P(q_k) - L_k)^2 + v_k (P'(q_k) + r_k)^2 -> min,
-/// where the weights are raised round by round (Lawson 1961) where the errors are largest, until no error is above
-/// 0.8 `tolerance`, twelve rounds at most.
-/// Lengths of frames jitter by more than a tolerance of moment arms allows, and moment arms are known from a polynomial fit
-/// (fibres.csv), so neither can be followed alone.
+/// What the length of a fibre shall be: a polynomial of degree 10 or less in q. Lengths jitter from frame to frame by more than their
+/// slope may, and moment arms come from a polynomial of degree 4 through all of them (fibres.csv), so neither can be followed alone.
+///   P(q) = c_0 p_0 + sum_(n = 1..4) l_n p_n(q) + sum_(n > 4) c_n p_n(q),
+/// p_n: polynomials of degree n that are orthonormal over the frames, l_n = sum_k p_n(q_k) L_k. So the polynomial of degree 4 through P at
+/// the frames has the same slope as that through L: arms by excursion are the same whatever the c_n are. These make
+///   sum_k u_k (P(q_k) - L_k)^2 + v_k (P'(q_k) + r_k)^2 / s^2
+/// least, with weights that are raised round by round (Lawson 1961) where the errors are largest, until none is above
+/// 0.8 `tolerance`, forty rounds at most. Where the lengths stay further off than 0.95 of it, s goes up from 1 by a quarter each
+/// time, to 8: lengths come first.
 class LengthTarget {
 public:
     /// places ascending; lengths and arms in metres, tolerance too.

@@ -55,8 +55,8 @@ struct RepairResult {
     MeshReport before, after;
     SurfaceMeasures measured_before, measured_after;
     std::vector<RepairStep> steps;
-    int crossings = 0; ///< pairs of triangles of the result that cross
-    std::vector<std::array<int, 2>> first_crossings;
+    int crossings = 0;                               ///< pairs of triangles of the result that cross
+    std::vector<std::array<int, 2>> first_crossings; ///< up to 1000
     /// What is still worth knowing of the result, a sentence each: crossings, several parts, cavities.
     std::vector<std::string> left;
     /// Empty: closed, manifold, consistently oriented, outward. Else why not, half a sentence ("the surface has ...").
