@@ -12,6 +12,7 @@ import argparse
 import json
 import math
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -126,6 +127,7 @@ def measure(program, folder, muscles=20, bones=12, triangles=1_500_000, frames=1
     source, total = write_scene(folder / "scene", muscles, bones, triangles)
     print(f"{muscles} muscles, {bones} bones, {total} triangles, {frames} frames; at most {limit_gb} GB each", flush=True)
     cache = {"FASCICLE_CACHE": str(folder / "cache")}
+    shutil.rmtree(folder / "cache", ignore_errors=True) # of an earlier time, with --keep
     meshes = [option for option in source if option.endswith(".obj")]
     simulate = [program, "simulate", *source, "--phases", f"{frames},0,0", "--export", "vtp", "--quiet", "--out"]
     steps = [run("info, every mesh", [program, "info", *meshes], limit_gb, cache),

@@ -125,6 +125,18 @@ class FaultTest(ProgramTest):
         run = self.make_run()
         self.with_faults([PROGRAM, "compare", run, run, "--quiet", "--out", self.out])
 
+    def test_convert_and_repair(self):
+        mesh = self.folder / "input" / "strap.obj"
+
+        def old(out):
+            out.mkdir()
+            (out / "a.vtp").write_text("of before")
+
+        self.with_faults([PROGRAM, "convert", mesh, self.out / "a.vtp"], old)
+        # The mesh comes first, then what is told of it.
+        self.with_faults([PROGRAM, "repair", mesh, self.out / "b.vtp", "--report", self.out / "b.json"], None,
+                         lambda names: names == {"b.vtp"})
+
     def test_lines(self):
         (self.folder / "input" / "model.osim").write_text(MODEL)
         (self.folder / "input" / "trial.mot").write_text(MOTION)

@@ -91,6 +91,10 @@ class PlacesTest(ProgramTest):
         yield "run", ["render", path, "--out", self.folder / "x.png"]
         yield "report", ["report", path, "--out", self.folder / "x.html"]
         yield "compared", ["compare", path, path, "--out", self.out]
+        yield "converted", ["convert", path, self.folder / "x.vtp"]
+        yield "repaired", ["repair", path, self.folder / "x.vtp"]
+        yield "exported", ["export", path, "--as", "usda", "--out", self.folder / "x.usda"]
+        yield "driving model", [*simulate, "--muscle", some / "strap.obj", "--osim", path, "--motion", some / "trial.mot"]
 
     def each_reader_refuses(self, path, words=(), skip=(), code=None):
         for name, arguments in self.readers(path):
@@ -169,7 +173,7 @@ class PlacesTest(ProgramTest):
             bad.write_bytes(content.encode(errors="surrogateescape"))
             with self.subTest(name):
                 # One vertex or a triangle of no size is a mesh, if a poor one.
-                self.each_reader_refuses(bad, ["bad"], skip=("body", "info") if name in ("a tiny number", "a long line") else ())
+                self.each_reader_refuses(bad, ["bad"], skip=("body", "info", "converted") if name in ("a tiny number", "a long line") else ())
 
     def test_storage_and_tables_with_long_numbers(self):
         digits = "1" * 10_000
@@ -279,6 +283,7 @@ class PlacesTest(ProgramTest):
         yield ["lines", "--osim", self.input / "model.osim", "--motion", self.input / "trial.mot", "--out", out]
         yield ["templates", "--thumbnails", out, "--size", "16"]
         yield ["bench", "--short", "--part", "paint", "--json", out]
+        yield ["repair", self.input / "strap.obj", self.folder / "x.obj", "--report", out]
         if self.run_program("render", "--help").returncode == 0:
             yield ["render", *self.source, "--size", "32x32", "--out", out]
             yield ["render", *self.source, "--frames", "0:1", "--size", "32x32", "--out", f"{out}.gif"]
@@ -322,7 +327,11 @@ class PlacesTest(ProgramTest):
             self.refuses(["strap.obj"], "render", "--project", project, "--out", self.input / "strap.obj", code=2)
             self.refuses(["my.fascicle"], "report", "--project", project, "--out", project, code=2)
             self.refuses(["summary.json"], "render", run, "--out", run / "summary.json", code=2)
+            self.refuses(["summary.json"], "export", run, "--as", "json", "--out", run / "summary", code=2)
+            self.refuses(["metrics.csv"], "export", run, "--as", "metrics", "--out", run / "metrics", code=2)
             self.refuses(["strap.0000.vtp"], "report", run, "--out", run / "frames" / "strap.0000.vtp", code=2)
+        for command in ("convert", "repair"):
+            self.refuses(["strap.obj"], command, self.input / "strap.obj", self.input / "strap.obj", code=2)
         renamed = self.folder / "summary.json"
         shutil.copy(project, renamed)
         renamed.write_text(renamed.read_text().replace('"path": "', '"path": "input/'))

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import small_scene
 from program import PROGRAM, SANITIZED, ProgramTest, file_hashes
+from test_lines import MODEL, MOTION
 
 WRITER = os.environ["FASCICLE_FILE_WRITER"]
 RUNS = 3 if SANITIZED else 12
@@ -129,6 +130,21 @@ class SignalTest(ProgramTest):
             self.no_temporaries(self.folder)
             self.assertEqual(len(list(film.iterdir())), 11)
         self.at_random_moments(["render", run, "--frames", "0:10", *size, "--out", film], check_film, few)
+
+    def test_short_commands(self):
+        """Either done, or nothing is left."""
+        run, out = self.folder / "run", self.folder / "out"
+        self.check_done("simulate", *self.source, "--export", "vtp", "--quiet", "--out", run)
+        (self.folder / "m.osim").write_text(MODEL)
+        (self.folder / "m.mot").write_text(MOTION)
+
+        def check(code):
+            self.no_temporaries(self.folder)
+            for file in out.rglob("*.csv"):
+                self.assertTrue(file.read_text().endswith("\n"))
+        for command in (["lines", "--osim", "m.osim", "--motion", "m.mot", "--export", "vtp", "--out", out],
+                        ["compare", run, run, "--out", out], ["convert", "input/strap.obj", out / "a.vtp"]):
+            self.at_random_moments(command, check, max(2, RUNS // 2))
 
     def test_bench(self):
         json_file = self.folder / "bench.json"

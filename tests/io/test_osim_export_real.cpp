@@ -12,7 +12,7 @@
 using namespace fascicle;
 
 TEST_CASE("Gluteus maximus becomes OpenSim muscles within a millimetre of the simulation over 1 rad",
-          "[io][osim_export][real]") {
+          "[io][osim_export][real][slow]") {
     FASCICLE_NEED_DATA(data);
     SceneRequest request;
     request.muscles = {data / "lhdl/gluteus_maximus.vtk"};

@@ -53,7 +53,7 @@ bool says(const LoadedScene& loaded, const std::string& part) {
 } // namespace
 
 TEST_CASE("hip model and its trial: meshes in millimetres follow the model's joint to 1e-9",
-          "[io][osim_scene][data]") {
+          "[io][osim_scene][data][slow]") {
     FASCICLE_NEED_DATA(data);
     SceneRequest r = hip_request(data);
     r.osim.mesh_frame = MeshFrame::scan;
@@ -83,7 +83,8 @@ TEST_CASE("hip model and its trial: meshes in millimetres follow the model's joi
     CHECK(worst < 1e-9);
 }
 
-TEST_CASE("hip model: the frame of its meshes is found from muscles and bones", "[io][osim_scene][data]") {
+TEST_CASE("hip model: the frame of its meshes is found from muscles and bones",
+          "[io][osim_scene][data][slow]") {
     FASCICLE_NEED_DATA(data);
     SceneRequest r = hip_request(data);
     r.muscles = {(data / "lhdl/gluteus_maximus.vtk").string() + "=pelvis,femur_r",
@@ -96,7 +97,7 @@ TEST_CASE("hip model: the frame of its meshes is found from muscles and bones", 
 }
 
 TEST_CASE("gait model and a walking trial: pelvis and femur follow joints written out by hand",
-          "[io][osim_scene][data]") {
+          "[io][osim_scene][data][slow]") {
     FASCICLE_NEED_DATA(data);
     const LoadedScene loaded = load_scene(gait_request(data));
     const Scene& scene = loaded.scene;
@@ -139,7 +140,7 @@ TEST_CASE("gait model and a walking trial: pelvis and femur follow joints writte
 }
 
 TEST_CASE("gait model: a muscle that stands in for its line goes through a gait cycle",
-          "[io][osim_scene][data]") {
+          "[io][osim_scene][data][slow]") {
     FASCICLE_NEED_DATA(data);
     SceneRequest r = gait_request(data);
     r.muscles = {"glut_max2_r"};

@@ -2,7 +2,9 @@
 
 #include "app/cli/command.hpp"
 #include "fascicle/base/error.hpp"
+#include "fascicle/base/interrupt.hpp"
 #include "fascicle/base/param_table.hpp"
+#include "fascicle/base/text.hpp"
 #include "fascicle/geometry/bounding_box.hpp"
 #include "fascicle/io/attachment_file.hpp"
 #include "fascicle/io/files.hpp"
@@ -133,9 +135,9 @@ MeshData outline_lines(const std::string& bytes, const std::string& file, std::v
 }
 
 void print(const std::string& out, const std::string& what, const std::vector<std::string>& notes) {
-    std::cout << out << ": " << what << '\n';
+    std::cout << one_line(out) << ": " << what << '\n';
     for (const std::string& note : notes)
-        std::cout << "  " << note << '\n';
+        std::cout << "  " << one_line(note) << '\n';
 }
 
 void convert_mesh(const ConvertOptions& options, const std::string& bytes) {
@@ -153,12 +155,15 @@ void convert_mesh(const ConvertOptions& options, const std::string& bytes) {
                         " says metres, which the file does not seem to be in: --units m scales it");
     for (std::string& lost : fit_to_format(data, format))
         notes.push_back(std::move(lost));
+    const std::atomic<bool>& interrupted = watch_interrupts(); // before there is anything to tidy up
     AtomicFile file(options.out);
     try {
         format.write(file.stream(), data);
     } catch (const Error& error) { // what the format cannot hold at all
         throw_error(options.out, error.what());
     }
+    if (interrupted)
+        throw Cancelled();
     file.commit();
     print(options.out,
           (from != nullptr ? from->name : "attachment outlines") + " to " + format.name + ", " +
@@ -172,8 +177,11 @@ void convert_table(const ConvertOptions& options, const std::string& bytes) {
     const StorageTable table = read_storage(bytes, options.in);
     const std::string extension = extension_of(options.out);
     const bool csv = extension == ".csv";
+    const std::atomic<bool>& interrupted = watch_interrupts();
     AtomicFile file(options.out);
     csv ? write_storage_csv(file.stream(), table) : write_storage(file.stream(), table);
+    if (interrupted)
+        throw Cancelled();
     file.commit();
     std::vector<std::string> notes = table.notes;
     notes.push_back(std::string("angles stay in ") + (table.in_degrees ? "degrees" : "radians"));

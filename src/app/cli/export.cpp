@@ -5,6 +5,7 @@
 #include "app/cli/options.hpp"
 #include "app/cli/run_exports.hpp"
 #include "app/cli/run_scene.hpp"
+#include "app/cli/source_options.hpp"
 #include "fascicle/base/interrupt.hpp"
 #include "fascicle/base/parallel.hpp"
 #include "fascicle/base/suggest.hpp"
@@ -108,10 +109,17 @@ int run(const ExportCommand& command) {
     request.morph_targets = command.options.morph_targets;
     request.up = command.options.up.empty() ? 'z' : command.options.up[0];
     request.threads = hardware_threads();
+    if (!row.traits.folder) { // before anything is read
+        SourceOptions source;
+        source.request.motion = command.in;
+        check_output_file(request.target, is_run_folder(command.in) ? command.in : "", source, {});
+    }
     std::vector<std::string> told;
     ProgressDisplay progress = ProgressDisplay::for_user(command.quiet);
     if (is_run_folder(command.in)) {
-        const RecordingPtr recording = RunReader(command.in).read_recording();
+        JobControl control;
+        control.cancel = &watch_interrupts();
+        const RecordingPtr recording = RunReader(command.in).read_recording(control);
         request.last = range.last.value_or(recording->last_frame()->index);
         if (row.reason_against != nullptr)
             if (const std::string reason = row.reason_against(*recording); !reason.empty())
@@ -126,7 +134,7 @@ int run(const ExportCommand& command) {
             animation.up = command.options.up[0];
         for (const std::string& note : animation.notes)
             if (!command.quiet)
-                std::cout << "note: " << note << '\n';
+                std::cout << "note: " << one_line(note) << '\n';
         JobControl control;
         control.cancel = &watch_interrupts();
         control.report = [&](std::string_view stage, double fraction) {
@@ -144,7 +152,7 @@ int run(const ExportCommand& command) {
         if (!command.quiet)
             std::cout << one_line(sentence) << '\n';
     if (!command.quiet)
-        std::cout << "written to " << request.target.string() << '\n';
+        std::cout << "written to " << one_line(request.target.string()) << '\n';
     return 0;
 }
 

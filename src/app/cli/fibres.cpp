@@ -127,6 +127,7 @@ int fibres(const FibresOptions& options) {
     Scene& scene = loaded.scene;
     choose_method(scene);
     without_inputs(options.out, scene, input_files(options.source, options.solve));
+    watch_interrupts(); // before there is anything to tidy up
     StagedFiles staged(options.out);
     const fs::path out = staged.place();
     const std::string method = scene.parameters.get_choice("fibres.method");

@@ -64,6 +64,9 @@ void check(const RepairCommand& command) {
     if (command.in.empty() || command.out.empty())
         throw_error("repair", "needs two files", "repair IN OUT", ErrorKind::usage);
     format_for_writing(command.out);
+    for (const std::string* file : {&command.out, &command.report})
+        if (!file->empty())
+            check_output_name(*file); // before anything is written
     if (same_file(command.in, command.out))
         throw_error(command.out, "is the input", "another file: an input is never changed", ErrorKind::usage);
     if (!command.report.empty() &&

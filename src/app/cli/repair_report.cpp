@@ -1,5 +1,7 @@
 #include "app/cli/repair_report.hpp"
 
+#include "fascicle/base/text.hpp"
+
 #include <cmath>
 #include <iomanip>
 #include <nlohmann/json.hpp>
@@ -55,9 +57,9 @@ Json finite(double value) {
 } // namespace
 
 void print(std::ostream& out, const RepairReport& report, const RepairResult& result) {
-    out << report.in << '\n';
+    out << one_line(report.in) << '\n';
     for (const std::string& note : report.notes)
-        out << "  note     " << note << '\n';
+        out << "  note     " << one_line(note) << '\n';
     if (result.steps.empty())
         out << "  found    nothing to repair\n";
     for (const RepairStep& step : result.steps)
@@ -84,7 +86,7 @@ void print(std::ostream& out, const RepairReport& report, const RepairResult& re
     if (report.arrays > 0)
         out << "  " << report.arrays << (report.arrays == 1 ? " array" : " arrays")
             << " per point carried over\n";
-    out << "closed, manifold, consistently oriented; written to " << report.out << '\n';
+    out << "closed, manifold, consistently oriented; written to " << one_line(report.out) << '\n';
 }
 
 std::string to_json(const RepairReport& report, const RepairResult& result) {

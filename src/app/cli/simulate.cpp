@@ -67,6 +67,7 @@ int simulate(const SimulateOptions& options) {
     const auto scene = std::make_shared<const Scene>(std::move(loaded.scene));
 
     without_inputs(options.out, *scene, input_files(options.source, options.solve));
+    watch_interrupts(); // before there is anything to tidy up
     RunWriter writer(options.out, scene, {exports.vtp, options.every, {}, threads});
     RunTable table(*scene);
     std::unique_ptr<MetricsEngine> metrics;
