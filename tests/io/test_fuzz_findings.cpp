@@ -57,6 +57,15 @@ TEST_CASE("A picture's memory is bounded by what its depth can pack", "[io][fuzz
     CHECK_THROWS_WITH(decode_png(bytes, "a.png"), Contains("a.png: not a PNG"));
 }
 
+TEST_CASE("A picture's chunk that claims more than the file is an error before room is made", "[io][fuzz]") {
+    const std::vector<std::uint8_t> rgba(std::size_t{4} * 20 * 20, 7);
+    std::string bytes = encode_png(20, 20, rgba.data());
+    const std::size_t data = bytes.find("IDAT");
+    REQUIRE(data != std::string::npos);
+    bytes.replace(data - 4, 4, std::string("\x3f\xff\xff\xff", 4));
+    CHECK_THROWS_WITH(decode_png(bytes, "a.png"), Contains("a.png: damaged PNG"));
+}
+
 TEST_CASE("A preset whose name is no UTF-8 can be written", "[io][fuzz]") {
     Preset preset;
     preset.key = "caf\xe9"; // of a file's name in Latin-1
