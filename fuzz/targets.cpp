@@ -15,13 +15,18 @@ std::vector<Target> make_targets() {
         const std::string name = "mesh_" + format.extensions.at(0).substr(1);
         const auto run = [&format](std::string_view bytes) { fuzz_mesh_format(format, bytes); };
         // Packed data of VTP: a file of any size is trusted with 4 million numbers.
-        const std::size_t base = name == "mesh_vtp" ? packed : MB;
+        const std::size_t base = name == "mesh_vtp" || name == "mesh_glb" ? packed : MB;
         rows.push_back({name, run, 4 * kB, name, name, 400, base});
     }
     // name, function, max length, dictionary, seeds, memory: times the size, plus
     const std::vector<Target> others{
         {"mesh_any", fuzz_mesh_any, 4 * kB, "", "mesh_any", 400, packed},
         {"area_mesh", fuzz_area_mesh, 4 * kB, "mesh_vtp", "area_mesh", 400, packed},
+        // glTF may say much with little: up to a million points and numbers are trusted to any file.
+        {"animation_glb", fuzz_glb, 4 * kB, "mesh_glb", "animation_glb", 400, packed},
+        {"animation_usda", fuzz_usda, 4 * kB, "mesh_usda", "mesh_usda", 400, MB},
+        {"point_cache", fuzz_point_cache, 512, "point_cache", "point_cache", 100, MB},
+        {"series", fuzz_series, 1 * kB, "series", "series", 400, MB},
         {"xml", fuzz_xml, 2 * kB, "xml", "xml", 100, MB},
         {"csv", fuzz_csv, 1 * kB, "csv", "csv", 400, MB},
         {"motion_csv", fuzz_motion_csv, 2 * kB, "motion_csv", "motion_csv", 400, MB},

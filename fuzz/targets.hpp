@@ -12,6 +12,11 @@ void fuzz_mesh_format(const MeshFormat& format, std::string_view bytes);
 void fuzz_mesh_any(std::string_view bytes);
 void fuzz_area_mesh(std::string_view bytes);
 void fuzz_xml(std::string_view bytes);
+// targets/animations.cpp
+void fuzz_glb(std::string_view bytes);
+void fuzz_usda(std::string_view bytes);
+void fuzz_point_cache(std::string_view bytes);
+void fuzz_series(std::string_view bytes);
 // targets/tables.cpp
 void fuzz_csv(std::string_view bytes);
 void fuzz_motion_csv(std::string_view bytes);

@@ -2,11 +2,13 @@
 
 #include "fascicle/anatomy/line_measure.hpp"
 #include "fascicle/io/osim_file.hpp"
+#include "fascicle/io/storage_write.hpp"
 #include "fascicle/io/table_motion.hpp"
 #include "fuzz/check.hpp"
 #include "fuzz/targets.hpp"
 
 #include <cmath>
+#include <sstream>
 
 namespace fascicle::fuzz {
 namespace {
@@ -97,6 +99,13 @@ void fuzz_storage(std::string_view bytes) {
     FUZZ_CHECK(table.values.size() == table.row_count() * table.columns.size());
     for (std::size_t i = 0; i < table.lines.size(); ++i)
         FUZZ_CHECK(table.lines[i] >= 1 && (i == 0 || table.lines[i] > table.lines[i - 1]));
+    std::ostringstream out;
+    write_storage(out, table);
+    const StorageTable back = read_storage(out.str(), "written");
+    FUZZ_CHECK(back.columns == table.columns && back.in_degrees == table.in_degrees);
+    std::ostringstream again;
+    write_storage(again, back);
+    FUZZ_CHECK(again.str() == out.str());
     for (const int lead_in : {0, 3}) {
         const TableTiming timing{0.1, lead_in};
         reads("fuzz.mot", [&] {

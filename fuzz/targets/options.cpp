@@ -2,6 +2,7 @@
 
 #include "app/cli/command_line.hpp"
 #include "fascicle/io/load_scene.hpp"
+#include "fascicle/io/osim_request.hpp"
 #include "fascicle/solver/parameters.hpp"
 #include "fuzz/check.hpp"
 #include "fuzz/targets.hpp"
@@ -65,6 +66,9 @@ void fuzz_options(std::string_view bytes) {
         const auto [name, file] = parse_named_file("--attachments", text);
         FUZZ_CHECK(!name.empty() && !file.empty());
     });
+    check_usage([&] { parse_mesh_frame(text); });
+    check_usage([&] { FUZZ_CHECK(*axis_mapping_key(parse_axis_mapping(text)) != 0); });
+    check_usage([&] { FUZZ_CHECK(!parse_mesh_of_bodies("--muscle", text).mesh.empty()); });
     double number = 0;
     if (parse_number(text, number)) {
         double back = 0;

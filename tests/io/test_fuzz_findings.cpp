@@ -8,6 +8,8 @@
 #include "fascicle/io/recent_projects.hpp"
 #include "fascicle/io/run_reader.hpp"
 
+#include "io/osim_scene/osim_scene.hpp"
+
 #include <catch2/catch.hpp>
 #include <sstream>
 
@@ -57,6 +59,15 @@ TEST_CASE("A picture's memory is bounded by what its depth can pack", "[io][fuzz
     CHECK_THROWS_WITH(decode_png(bytes, "a.png"), Contains("a.png: not a PNG"));
 }
 
+TEST_CASE("A picture's chunk that claims more than the file is an error before room is made", "[io][fuzz]") {
+    const std::vector<std::uint8_t> rgba(std::size_t{4} * 20 * 20, 7);
+    std::string bytes = encode_png(20, 20, rgba.data());
+    const std::size_t data = bytes.find("IDAT");
+    REQUIRE(data != std::string::npos);
+    bytes.replace(data - 4, 4, std::string("\x3f\xff\xff\xff", 4));
+    CHECK_THROWS_WITH(decode_png(bytes, "a.png"), Contains("a.png: damaged PNG"));
+}
+
 TEST_CASE("A preset whose name is no UTF-8 can be written", "[io][fuzz]") {
     Preset preset;
     preset.key = "caf\xe9"; // of a file's name in Latin-1
@@ -104,4 +115,11 @@ TEST_CASE("A bad parameter or axis of a run names the file", "[io][fuzz]") {
                       Contains("run/summary.json, parameters") && Contains("solver.stiffness"));
     CHECK_THROWS_WITH(run_of(R"({"vtp_frames":[0],"hinge":{"centre":[0,0,0],"axis":[0,0,0]}})"),
                       Contains("run/summary.json") && Contains("no direction"));
+}
+
+TEST_CASE("A muscle of a model without a name is a usage error", "[io][fuzz]") {
+    for (const char* text : {"", "=", "=pelvis", "mesh=", "mesh=pelvis,", "mesh=,pelvis"})
+        CHECK_THROWS_WITH(parse_mesh_of_bodies("--muscle", text), Contains("--muscle") && Contains("MESH=BODY"));
+    CHECK(parse_mesh_of_bodies("--muscle", "iliacus_r").bodies.empty());
+    CHECK(parse_mesh_of_bodies("--muscle", "a=b.vtk=pelvis,femur_r").mesh == "a=b.vtk");
 }

@@ -39,6 +39,20 @@ int bits_per_pixel(std::string_view bytes) {
     return std::max(1, depth * channels);
 }
 
+/// Whether all chunks end within the file: stb makes room for what a chunk says.
+bool chunks_fit(std::string_view bytes) {
+    constexpr std::size_t around = 12; // length and name before a chunk's data, checksum after them
+    for (std::size_t at = 8; at + around <= bytes.size();) {
+        std::size_t length = 0;
+        for (std::size_t i = 0; i < 4; ++i)
+            length = length << 8 | static_cast<unsigned char>(bytes[at + i]);
+        if (length > bytes.size() - at - around)
+            return false;
+        at += around + length;
+    }
+    return true;
+}
+
 void append(void* bytes, void* data, int size) {
     static_cast<std::string*>(bytes)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
 }
@@ -105,6 +119,8 @@ PngImage decode_png(std::string_view bytes, const std::string& name) {
         pixels * bits_per_pixel(bytes) > 8 * most_inflated * static_cast<double>(bytes.size()))
         throw_error(name, "claims " + std::to_string(image.width) + "x" + std::to_string(image.height) +
                               " pixels, more than its " + std::to_string(bytes.size()) + " bytes can hold");
+    if (!chunks_fit(bytes))
+        throw_error(name, "damaged PNG picture (it ends within a chunk)");
     const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
         stbi_load_from_memory(data, size, &image.width, &image.height, &channels, 4), stbi_image_free);
     if (!decoded)

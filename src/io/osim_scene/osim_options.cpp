@@ -41,10 +41,10 @@ AxisMapping parse_axis_mapping(const std::string& text) {
 
 MeshOfBodies parse_mesh_of_bodies(const std::string& option, const std::string& text) {
     const std::size_t equals = text.rfind('=');
-    if (equals == std::string::npos)
+    if (equals == std::string::npos && !text.empty())
         return {text, {}};
     MeshOfBodies out{text.substr(0, equals), {}};
-    std::string rest = text.substr(equals + 1);
+    std::string rest = text.substr(equals + 1); // all of it without an equals sign: only an empty text, an error
     bool good = equals > 0;
     for (std::size_t comma; good; rest = rest.substr(comma + 1)) {
         comma = rest.find(',');
