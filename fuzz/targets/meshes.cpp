@@ -6,6 +6,7 @@
 #include "fascicle/io/load_scene.hpp"
 #include "fascicle/io/mesh_file.hpp"
 #include "fascicle/io/mesh_hints.hpp"
+#include "fascicle/io/unit_guess.hpp"
 #include "fuzz/check.hpp"
 #include "fuzz/targets.hpp"
 #include "io/formats/xml_reader.hpp"
@@ -95,7 +96,7 @@ void fuzz_mesh_any(std::string_view bytes) {
     reads("fuzz.xyz", [&] {
         const MeshFile file = read_mesh_bytes(bytes, "fuzz.xyz");
         FUZZ_CHECK(file.report.usable() && !file.format.empty());
-        guess_unit(bounding_box(file.mesh.positions).diagonal());
+        guess_length_unit(bounding_box(file.mesh.positions).diagonal());
     });
 }
 
@@ -120,7 +121,10 @@ void fuzz_area_mesh(std::string_view bytes) {
             FUZZ_CHECK(area.bone == 0 && area.vertices.vertex_count() == 4);
         const MeshData back = area_mesh(marked, 0, 0);
         const std::vector<AttachmentArea> again = areas_from_mesh(back, "again", scene, 0, "m");
-        FUZZ_CHECK(again == marked.muscles[0].areas);
+        FUZZ_CHECK(again.size() == marked.muscles[0].areas.size());
+        for (std::size_t i = 0; i < again.size(); ++i) // heads are numbered anew: without gaps
+            FUZZ_CHECK(again[i].vertices == marked.muscles[0].areas[i].vertices &&
+                       again[i].kind == marked.muscles[0].areas[i].kind);
     });
 }
 

@@ -83,8 +83,13 @@ void fuzz_project(std::string_view bytes) {
     if (!stays_inside(bytes))
         return;
     Project project;
-    if (!reads("fuzz.fascicle", [&] { project = read_project_text(std::string(bytes), project_path); }))
+    try {
+        project = read_project_text(std::string(bytes), project_path);
+    } catch (const Error& error) {
+        const bool missing = std::string_view(error.what()).find(no_file) != std::string_view::npos;
+        check_message(error, missing ? no_file : project_path);
         return;
+    }
     check_scene(project.scene);
     // Written with all of its meshes and read again it is the same project.
     const std::string first = project_text(project_path, project.scene, {{}, true});

@@ -245,6 +245,10 @@ Timeline read_motion(std::string_view bytes, const std::string& file, const Scen
     double last_frame = -1;
     for (std::size_t b = 0; b < keys.size(); ++b) {
         timeline.bone_tracks.push_back(track_of(csv, columns.matrices, keys[b], scene.bones[b].name));
+        for (const PoseKey& key : timeline.bone_tracks.back().keys) // those between the keys of the file, too
+            if (!key.pose.translation.allFinite())
+                throw_error(file, "the motion of bone '" + scene.bones[b].name + "' overflows",
+                            "smaller coordinates");
         if (!keys[b].empty())
             last_frame = std::max(last_frame, keys[b].back().joint.frame);
     }

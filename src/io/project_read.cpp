@@ -8,6 +8,7 @@
 #include "io/mesh_codec.hpp"
 #include "io/project_json.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -137,6 +138,11 @@ void ProjectReader::read(Scene& scene, std::vector<std::string>& notes) {
 }
 
 void ProjectReader::make_embedded(Scene& scene) {
+    const auto& all = embedded_scenes();
+    if (std::none_of(all.begin(), all.end(),
+                     [&](const auto& info) { return info.name == scene.embedded_name; }))
+        fields_.fail("embedded_scene", "there is no embedded scene '" + scene.embedded_name + "'",
+                     "a name that 'fascicle scenes' lists");
     const Scene made = make_embedded_scene(scene.embedded_name, threads_);
     const auto add = [&](const char* kind, const std::string& name, const EmbeddedThing& thing) {
         embedded_.emplace(mesh_hash(*thing.mesh), thing);

@@ -182,7 +182,7 @@ void RunReader::read_angles() {
         const auto frame = static_cast<std::size_t>(row_frame(csv, frame_column));
         if (frame >= angles_.size())
             continue;
-        angles_[frame] = csv.number(angle_column) * std::numbers::pi / 180.0;
+        angles_[frame] = csv.number(angle_column) * (std::numbers::pi / 180.0);
         if (double ms = 0; time_column >= 0 && parse_number(csv.cell(time_column), ms))
             solve_seconds_[frame] = ms / 1000.0;
     }

@@ -5,6 +5,7 @@ import unittest
 from xml.etree import ElementTree
 
 from program import SOURCE_DIR, ProgramTest, file_hashes
+from small_scene import write_scene
 
 
 class FibresTest(ProgramTest):
@@ -68,20 +69,21 @@ class FibresTest(ProgramTest):
 
     def test_fibres_become_an_opensim_model(self):
         out = self.folder / "run"
-        text = self.check_done("simulate", "--scene", "cylinder", "--set", "fibres.method=kukacka", "--set", "fibres.count=6",
-                               "--set", "fibres.segments=8", "--phases", "6,2,0", "--export", "osim,vtp", "--out", out)
-        self.assertRegex(text, r"cylinder\.osim: \d fibres, .* length within 0\.\d\d mm, moment arm within 0\.\d\d mm")
+        source, _ = write_scene(self.folder / "scene")
+        text = self.check_done("simulate", *source, "--set", "fibres.method=kukacka", "--set", "fibres.count=6",
+                               "--set", "fibres.segments=8", "--export", "osim,vtp", "--out", out)
+        self.assertRegex(text, r"strap\.osim: \d fibres, .* length within 0\.\d\d mm, moment arm within 0\.\d\d mm")
         files = set(file_hashes(out))
-        self.assertLess({"cylinder.osim", "cylinder.mot", "cylinder_report.csv", "cylinder_report.json",
-                         "Geometry/block.vtp", "Geometry/cylinder.vtp"}, files)
-        model = ElementTree.parse(out / "cylinder.osim").getroot()
+        self.assertLess({"strap.osim", "strap.mot", "strap_report.csv", "strap_report.json",
+                         "Geometry/fixed.vtp", "Geometry/turning.vtp"}, files)
+        model = ElementTree.parse(out / "strap.osim").getroot()
         self.assertEqual((model.tag, model.get("Version")), ("OpenSimDocument", "40000"))
-        rows = self.rows(out / "cylinder_report.csv")
+        rows = self.rows(out / "strap_report.csv")
         muscles = model.findall("./Model/ForceSet/objects/Millard2012EquilibriumMuscle")
         self.assertEqual([m.get("name") for m in muscles], [row["name"] for row in rows])
         self.assertEqual(rows[0]["name"], "strap_f01")
-        report = json.loads((out / "cylinder_report.json").read_text())
-        self.assertEqual((report["fitted_frames"], report["other_frames"], report["axes"]), (7, 2, "opensim"))
+        report = json.loads((out / "strap_report.json").read_text())
+        self.assertEqual((report["fitted_frames"], report["other_frames"], report["axes"]), (7, 6, "opensim"))
         self.assertLess(report["largest"]["length_difference_mm"], 1)
         # Of a folder: the same motion, fibres bound anew.
         again = self.folder / "again.osim"

@@ -1,4 +1,5 @@
 #include "fascicle/base/error.hpp"
+#include "fascicle/io/files.hpp"
 #include "io/formats/vtp.hpp"
 #include "support/shapes.hpp"
 
@@ -96,6 +97,16 @@ TEST_CASE("VTP: what others write", "[io][vtp]") {
         "</Points>";
     CHECK(read(file(three, base64 + triangle, " byte_order=\"LittleEndian\"")).mesh.positions ==
           Points{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)});
+}
+
+TEST_CASE("VTP: an array that not every piece has is passed over, not cut short", "[io][vtp]") {
+    const std::string text =
+        read_file(std::string(FASCICLE_SOURCE_DIR) + "/fuzz/corpus/mesh_vtp/pieces_array");
+    const MeshData data = io::read_vtp(text, "a.vtp");
+    CHECK(data.mesh.positions.size() == 8);
+    CHECK(data.point_arrays.empty());
+    REQUIRE(data.notes.size() == 1);
+    CHECK_THAT(data.notes[0], Contains("'a' is not in every piece"));
 }
 
 TEST_CASE("VTP: mistakes name the line", "[io][vtp]") {

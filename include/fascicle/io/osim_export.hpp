@@ -83,7 +83,7 @@ struct OsimExportReport {
 ///
 /// The report is measured on the text that was written, read back by read_osim and measured by LinePathSolver.
 ///
-/// Error: no fibres in the run, nothing moves, coordinate joint without one, too many points for a model (50,000), a file that cannot be
+/// Error: no fibres in the run, nothing moves, coordinate joint without one, too many points for a model (35,000), a file that cannot be
 /// written; an output would replace an input of the scene (usage). Cancelled. All files are there afterwards, or none is new.
 OsimExportReport export_osim(const std::filesystem::path& model, const Recording& recording,
                              const OsimExportOptions& options = {}, const JobControl& control = {});

@@ -152,19 +152,23 @@ void write_stl(std::ostream& out, const MeshData& data) {
     put_little_endian(text, data.mesh.triangles.size(), 4);
     const auto put = [&](const Vec3& p) {
         for (int k = 0; k < 3; ++k)
-            put_little_endian(text, std::bit_cast<std::uint32_t>(static_cast<float>(p[k])), 4);
+            put_little_endian(text, std::bit_cast<std::uint32_t>(static_cast<float>(p[k]) + 0.0f),
+                              4); // no -0
     };
     const Points& points = data.mesh.positions;
     for (const Vec3& p : points)
         if (!((p.array().abs() <= static_cast<double>(std::numeric_limits<float>::max())).all()))
             throw_error("STL", "a coordinate is beyond " + std::to_string(std::numeric_limits<float>::max()),
                         "coordinates that a float can hold");
-    const auto rounded = [&](int v) -> Vec3 {
-        return points[static_cast<std::size_t>(v)].cast<float>().cast<double>();
-    };
+    // Normals are of what is read back. Rounded here, in a pass of its own: g++ 12 leaves out the rounding of neighbouring numbers
+    // when it sees double -> float -> double in one expression.
+    std::vector<Eigen::Vector3f> stored;
+    stored.reserve(points.size());
+    for (const Vec3& p : points)
+        stored.push_back(p.cast<float>());
+    const auto rounded = [&](int v) -> Vec3 { return stored[static_cast<std::size_t>(v)].cast<double>(); };
     for (const Tri& t : data.mesh.triangles) {
-        const Vec3 a = rounded(t[0]), b = rounded(t[1]),
-                   c = rounded(t[2]); // the normal is of what is read back
+        const Vec3 a = rounded(t[0]), b = rounded(t[1]), c = rounded(t[2]);
         const Vec3 normal = (b - a).cross(c - a);
         const double length = normal.norm();
         put(length > 0 && std::isfinite(length) ? Vec3(normal / length) : Vec3::Zero());

@@ -33,6 +33,8 @@ private:
     /// Calls visit(indices) for each cell; a cell of fewer than `least` points is an error.
     template <typename Visit>
     void cells(const Piece& piece, std::size_t count, std::size_t least, Visit visit);
+    /// Takes out arrays that not every piece has.
+    void drop_partial(std::vector<NamedArray>& arrays, std::size_t count);
     void arrays(std::vector<NamedArray>& into, std::size_t before, std::size_t count, std::size_t skip);
     NamedArray array() { return read_vtp_array(xml_, encoding_); }
 
@@ -103,11 +105,23 @@ MeshData VtpReader::read() {
         xml_.fail("no polydata in the file", "<VTKFile type=\"PolyData\"><PolyData>");
     if (!cell_arrays_.empty() && cell_arrays_.size() < 1000)
         data_.notes.push_back("arrays of polygons were passed over: " + cell_arrays_);
+    drop_partial(data_.point_arrays, points_.size());
+    drop_partial(data_.line_arrays, data_.lines.lines.size());
     if (!data_.lines.lines.empty())
         data_.lines.points = points_;
     if (data_.lines.lines.empty() || !data_.mesh.triangles.empty())
         data_.mesh.positions = std::move(points_);
     return std::move(data_);
+}
+
+void VtpReader::drop_partial(std::vector<NamedArray>& arrays, std::size_t count) {
+    std::erase_if(arrays, [&](const NamedArray& array) {
+        const bool partial = array.values.size() != count * static_cast<std::size_t>(array.components);
+        if (partial)
+            data_.notes.push_back("array " + shown(array.name) +
+                                  " is not in every piece and was passed over");
+        return partial;
+    });
 }
 
 void VtpReader::piece() {
