@@ -19,6 +19,7 @@ public:
     ScreenStage& operator=(const ScreenStage&) = delete;
 
     EditorState& state() { return editor_.state(); }
+    const Scene& scene() { return editor_.document().scene(); }
     void run(Command command);
     /// Draws frames, waiting for what is measured or prepared in the background.
     void frames(int count);

@@ -100,6 +100,15 @@ void exporting(ScreenStage& s) {
     s.frames(10);
 }
 
+void repairing(ScreenStage& s) {
+    s.state().selection = {Selection::Kind::muscle, s.scene().muscles.at(0).name};
+    s.run(C::repair_mesh);
+    s.click("repair/by_edge");
+    s.frames(30); // until the choices have settled
+    s.wait();
+    s.frames(4);
+}
+
 void lesson(ScreenStage& s) {
     s.start_lesson("volume");
     s.wait();
@@ -142,6 +151,7 @@ const std::vector<ScreenRow>& screens() {
         {"compare", "Two runs side by side", compare},
         {"difference", "The difference of two runs", difference},
         {"export", "Exporting", exporting},
+        {"repair", "Repairing a mesh", repairing},
         {"lesson", "A lesson", lesson},
         {"search", "Finding a command", search},
         {"shortcuts", "The keys", shortcuts},

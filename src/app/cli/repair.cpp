@@ -116,6 +116,7 @@ int repair_file(const RepairCommand& command) {
     report.unit = command.units.empty() ? to_text(guess_length_unit(diagonal).unit) : command.units;
     report.unit_guessed = command.units.empty();
     report.options = options_of(command, report.unit == "m" ? 1000 : 1);
+    report.options.unit = report.unit;
     report.notes = data.notes;
     if (!data.lines.lines.empty())
         report.notes.push_back("polylines are not written");

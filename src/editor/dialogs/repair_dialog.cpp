@@ -50,7 +50,6 @@ void RepairDialog::close() {
 }
 
 RepairOptions RepairDialog::options(const EditorContext& context) const {
-    static_cast<void>(context);
     RepairOptions o;
     if (choices_.own_weld)
         o.weld = choices_.weld_mm / mm_;
@@ -65,6 +64,7 @@ RepairOptions RepairDialog::options(const EditorContext& context) const {
         o.triangles = choices_.triangles;
     o.untangle = choices_.untangle;
     o.threads = hardware_threads();
+    o.unit = to_text(context.document.scene().unit);
     return o;
 }
 

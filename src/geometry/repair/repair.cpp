@@ -64,6 +64,9 @@ public:
     }
 
 private:
+    std::string length(const char* format, double value) const {
+        return number(format, value) + (options_.unit.empty() ? "" : " ") + options_.unit;
+    }
     void step(const char* key, int found, int done, const std::string& text) {
         if (found > 0 || done > 0)
             result_.steps.push_back({key, text, found, done});
@@ -138,7 +141,7 @@ private:
         const auto say = [&](const char* key, int n, const char* one, const char* many,
                              const std::string& rest = {}) { step(key, n, n, count(n, one, many) + rest); };
         say("weld", weld_.welded, "border vertex welded to another", "border vertices welded to others",
-            ", within " + number("%.3g", tolerance_));
+            ", within " + length("%.3g", tolerance_));
         say("repeated", weld_.repeated, "triangle with a repeated vertex dropped",
             "triangles with a repeated vertex dropped");
         say("doubled", weld_.doubled, "doubled triangle dropped", "doubled triangles dropped");
@@ -217,7 +220,7 @@ private:
             constexpr double most = 2e7;
             if (!(fit <= most))
                 throw_error("repair",
-                            "edges of " + number("%.3g", options_.edge_length) +
+                            "edges of " + length("%.3g", options_.edge_length) +
                                 " make more than 20 million triangles",
                             "a larger edge length");
             wanted = std::max(4, static_cast<int>(std::lround(fit)));
@@ -231,8 +234,8 @@ private:
         const double change = counts.volume_before != 0 ? counts.volume_after / counts.volume_before - 1 : 0;
         step("remesh", before, before,
              "remeshed to " + count(m_.mesh.triangle_count(), "triangle", "triangles") + " with edges of " +
-                 number("%.4g", counts.edge_length) + ", volume " + number("%+.2g", 100 * change) +
-                 " % after an offset by " + number("%.3g", counts.offset));
+                 length("%.4g", counts.edge_length) + ", volume " + number("%+.2g", 100 * change) +
+                 " % after an offset by " + length("%.3g", counts.offset));
         if (!(std::abs(change) <= options_.volume_share))
             result_.reason = "remeshing changed the volume by " + percent(std::abs(change)) + ", more than " +
                              percent(options_.volume_share);

@@ -26,7 +26,8 @@ struct RepairOptions {
     double volume_share = 0.005;
     /// Tries to part crossing triangles by smoothing what is around them.
     bool untangle = false;
-    int threads = 1; ///< never changes a result
+    int threads = 1;  ///< never changes a result
+    std::string unit; ///< of lengths, for texts alone: "mm"
 
     static constexpr int longest_hole = 1000; ///< the filler's work grows with the third power of the edges
 };
