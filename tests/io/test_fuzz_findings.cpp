@@ -119,7 +119,8 @@ TEST_CASE("A bad parameter or axis of a run names the file", "[io][fuzz]") {
 
 TEST_CASE("A muscle of a model without a name is a usage error", "[io][fuzz]") {
     for (const char* text : {"", "=", "=pelvis", "mesh=", "mesh=pelvis,", "mesh=,pelvis"})
-        CHECK_THROWS_WITH(parse_mesh_of_bodies("--muscle", text), Contains("--muscle") && Contains("MESH=BODY"));
+        CHECK_THROWS_WITH(parse_mesh_of_bodies("--muscle", text),
+                          Contains("--muscle") && Contains("MESH=BODY"));
     CHECK(parse_mesh_of_bodies("--muscle", "iliacus_r").bodies.empty());
     CHECK(parse_mesh_of_bodies("--muscle", "a=b.vtk=pelvis,femur_r").mesh == "a=b.vtk");
 }
