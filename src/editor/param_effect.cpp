@@ -1,24 +1,20 @@
 #include "editor/param_effect.hpp"
 
+#include "fascicle/solver/soft_body_solver.hpp"
+
 namespace fascicle::editor {
 
 std::string no_effect_reason(const Scene& scene, const ParamRow& row) {
     const ParamSet& parameters = scene.parameters;
-    const bool classic = parameters.get_choice("solver.method") == "classic";
+    const SolverMethod& method = *find_solver_method(parameters.get_choice("solver.method"));
     const std::string& fibres = parameters.get_choice("fibres.method");
     const std::string& key = row.key;
-    if (key.starts_with("classic.") && !classic)
-        return "only the method classic uses it";
-    if (classic) {
-        if (key == "solver.frame_time")
-            return "classic takes 1 ms an inner loop";
-        if (key == "solver.kernel" || key == "solver.coarse" || key == "solver.tone")
-            return "only the method xpbd uses it";
-        if (key.starts_with("contact."))
-            return "classic stops a vertex where it is inside a bone, without distance grids";
-        if (key == "attachment.distance_mm")
-            return "classic fixes what lies inside a bone at the start";
-    }
+    for (const SolverMethod& other : solver_methods())
+        if (other.name != method.name && key.starts_with(other.name + "."))
+            return "only the method " + other.name + " uses it";
+    for (const auto& [unused, reason] : method.unused)
+        if (key == unused || (unused.ends_with(".") && key.starts_with(unused)))
+            return reason;
     if (key == "solver.pressure" && parameters.get_choice("solver.volume") == "free")
         return "the volume is free";
     if (fibres == "none" && (key == "fibres.count" || key == "fibres.segments"))

@@ -16,7 +16,7 @@ ParamSet default_parameters();
 /// Error (usage) when there is no such method.
 void set_method(ParamSet& parameters, const std::string& method);
 
-/// Passes a frame: solver.iterations, or the method's own number when that is 0 (classic 3, xpbd 10).
+/// Passes a frame: solver.iterations, or the method's own number when that is 0.
 int passes_per_frame(const ParamSet& parameters);
 
 } // namespace fascicle
