@@ -38,7 +38,7 @@ std::vector<ParamRow> make_rows() {
     using K = ParamKind;
     std::vector<ParamRow> rows{
         {"solver.method", "Method", "1", K::choice, 0, static_cast<double>(method_names().size() - 1), 0,
-         method_names(), "How muscles are solved: " + method_lines() + ".", paper, false},
+         method_names(), method_lines() + ".", paper, false},
         {"solver.kernel",
          "Kernel",
          "1",
@@ -276,6 +276,17 @@ void set_method(ParamSet& parameters, const std::string& method) {
     if (same) // keeps the defaults that a scene brings with it
         return;
     parameters.set_defaults(find_solver_method(method)->defaults);
+}
+
+std::string unused_reason(const ParamSet& parameters, std::string_view key) {
+    const SolverMethod& method = *find_solver_method(parameters.get_choice("solver.method"));
+    for (const SolverMethod& other : solver_methods())
+        if (other.name != method.name && key.starts_with(other.name + "."))
+            return "only the method " + other.name + " uses it";
+    for (const auto& [unused, reason] : method.unused)
+        if (key == unused || (unused.ends_with('.') && key.starts_with(unused)))
+            return reason;
+    return {};
 }
 
 int passes_per_frame(const ParamSet& parameters) {

@@ -20,7 +20,7 @@ const std::vector<SolverMethod>& solver_methods() {
         // Defaults of the published program: edges rigid but for the fibres, bending 0.9, velocity factor 0.99 a
         // millisecond (10.05 1/s).
         {"classic",
-         "the published program step by step: the yardstick",
+         "the published program step by step, the yardstick",
          false,
          3,
          "inner loops",
