@@ -243,6 +243,26 @@ TEST_CASE("A bad parameter or axis of a run names the file", "[io][fuzz]") {
                       Contains("run/summary.json") && Contains("no direction"));
 }
 
+TEST_CASE("A bad parameter of a project names the file once", "[io][fuzz]") {
+    const auto error = [](const std::string& parameters) -> std::string {
+        try {
+            read_project_text(R"({"fascicle_project":2,"parameters":{)" + parameters + "}}",
+                              "/nowhere/a.fascicle");
+        } catch (const Error& e) {
+            return e.what();
+        }
+        return {};
+    };
+    CHECK(error(R"("solver.method":"xpbd","solver.stiffness":0.5)").empty());
+    CHECK_THAT(error(R"("solver.method":"pbd")"),
+               Catch::StartsWith("/nowhere/a.fascicle, parameters: solver.method: bad value 'pbd'"));
+    CHECK_THAT(error(R"("solver.stiffness":9)"),
+               Catch::StartsWith("/nowhere/a.fascicle, parameters: solver.stiffness: bad value '9'"));
+    CHECK_THAT(error(R"("solver.stiffness":[])"), Catch::StartsWith("/nowhere/a.fascicle") &&
+                                                      Contains("got array") &&
+                                                      !Contains("parameters: /nowhere"));
+}
+
 TEST_CASE("A muscle of a model without a name is a usage error", "[io][fuzz]") {
     for (const char* text : {"", "=", "=pelvis", "mesh=", "mesh=pelvis,", "mesh=,pelvis"})
         CHECK_THROWS_WITH(parse_mesh_of_bodies("--muscle", text),
