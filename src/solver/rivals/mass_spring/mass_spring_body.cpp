@@ -1,6 +1,5 @@
 #include "solver/rivals/mass_spring/mass_spring_body.hpp"
 
-#include "fascicle/base/parallel.hpp"
 #include "solver/rivals/mass_spring/point_cells.hpp"
 
 #include <algorithm>
@@ -40,6 +39,8 @@ MassSpringBody::MassSpringBody(const SoftBodyProblem& given)
     const auto layout = static_cast<SpringLayout>(problem().parameters.get_int("mass-spring.springs"));
     net_ = SpringNet(particles_.rest, std::move(fixed), make_springs(particles_, layout, solid, topology()));
     fit_carry();
+    clear_.assign(particles_.size(), 0.0);
+    looked_at_ = particles_.rest;
     push_.assign(particles_.size(), Vec3::Zero());
     share_.assign(particles_.size(), 0.0);
     stopped_.assign(particles_.size(), 0);
@@ -97,7 +98,8 @@ void MassSpringBody::fit_carry() {
 
 std::size_t MassSpringBody::state_bytes() const {
     return RivalBody::state_bytes() + net_.bytes() + binding_.bytes() + volume_.bytes() +
-           bytes_of(particles_.rest, particles_.vertex, body_, carry_, bound_, push_, share_, stopped_);
+           bytes_of(particles_.rest, particles_.vertex, body_, carry_, bound_, push_, share_, stopped_,
+                    clear_, looked_at_);
 }
 
 bool MassSpringBody::set_state(const Points& positions, const Points&) {
@@ -143,13 +145,18 @@ void MassSpringBody::carry_particles() {
 
 void MassSpringBody::deform(double) {
     carry_particles();
+    still_ = solids();
+    for (solver::ContactSolid& solid : still_)
+        solid.before = solid.now;
+    std::fill(clear_.begin(), clear_.end(), 0.0);
     // Steps done by the end of this pass, less those before it.
     const int steps = (pass_ + 1) * steps_ / passes_ - pass_ * steps_ / passes_;
     pass_ = (pass_ + 1) % passes_;
     std::size_t refused = 0;
     for (int k = 0; k < steps; ++k) {
         refused += net_.step(time_step, damping_);
-        collide();
+        if (!still_.empty())
+            collide();
         if (volume_.kept())
             keep_volume();
     }
@@ -163,18 +170,20 @@ void MassSpringBody::deform(double) {
 }
 
 /// In every step, as Janak does: a boundary particle that is too near to a solid is put outside and loses its velocity.
+/// Solids stand still within a pass, so who is farther from all of them than it has gone since it was looked at is passed over.
 void MassSpringBody::collide() {
-    if (solids().empty())
-        return;
-    parallel_for(problem().threads, particles_.size(), 256, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end && particles_.vertex[i] >= 0; ++i) {
-            if (body_[i] >= 0)
-                continue;
-            Vec3 p = net_.positions()[i];
-            if (resolve_contact(p, net_.before()[i], solids(), contact()).touched && p.allFinite())
-                net_.stop_at(i, p);
-        }
-    });
+    for (std::size_t i = 0; i < particles_.size() && particles_.vertex[i] >= 0; ++i) {
+        Vec3 p = net_.positions()[i];
+        if (body_[i] >= 0 || (p - looked_at_[i]).norm() < clear_[i])
+            continue;
+        if (resolve_contact(p, net_.before()[i], still_, contact()).touched && p.allFinite())
+            net_.stop_at(i, p);
+        looked_at_[i] = p;
+        clear_[i] = std::numeric_limits<double>::infinity();
+        for (const solver::ContactSolid& solid : still_)
+            clear_[i] = std::min(
+                clear_[i], (solid.grid->value(solid.now.apply_inverse(p)) - contact().offset) / solid.slope);
+    }
 }
 
 /// Hong, Jung, Choi, Welch 2006: after each step the points of the closed surface go along the gradient of its volume, as far as the

@@ -45,10 +45,13 @@ private:
     solver::VolumeConstraint volume_;
     double damping_;
     int steps_, passes_, pass_ = 0;
-    Points bound_;              ///< V: the surface as the particles had it in this pass
-    Points push_;               ///< P: scratch
-    std::vector<double> share_; ///< P: scratch
-    std::vector<char> stopped_; ///< P: scratch
+    Points bound_;                            ///< V: the surface as the particles had it in this pass
+    Points push_;                             ///< P: scratch
+    std::vector<double> share_;               ///< P: scratch
+    std::vector<char> stopped_;               ///< P: scratch
+    std::vector<solver::ContactSolid> still_; ///< the solids of this pass, where they are at its end
+    std::vector<double> clear_;               ///< P: within this distance of looked_at_ no solid is too near
+    Points looked_at_;
 };
 
 } // namespace mass_spring

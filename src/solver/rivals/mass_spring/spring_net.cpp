@@ -17,8 +17,8 @@ std::size_t at(int i) {
 Vec3 spring_force(const Vec3& p, const Vec3& q, double rest, double unit) {
     const Vec3 d = q - p;
     const double length = d.norm();
-    if (!(length > 0.0))
-        return Vec3::Zero();
+    if (length == 0.0)
+        return Vec3::Zero(); // what is not finite goes on to step(), which refuses it
     return (unit / rest) * ((length - rest) / (std::max(length, 0.5 * rest) * length)) * d;
 }
 

@@ -85,6 +85,22 @@ void join_by_direction(int i, const ParticleSet& particles, const std::vector<Ne
     }
 }
 
+/// The nearest ones in the solid. Many in a lattice are equally near but for rounding: all of the last distance count, or the unit
+/// of length would choose.
+void join_nearest(int i, std::size_t count, double spacing, const std::vector<NearPoint>& near,
+                  Joiner& joiner, std::vector<int>& joined) {
+    double last = std::numeric_limits<double>::infinity();
+    for (const NearPoint& other : near) {
+        if (other.squared_distance > last)
+            break;
+        if (!joiner.inside(i, other.point))
+            continue;
+        joined.push_back(other.point);
+        if (joined.size() == count)
+            last = other.squared_distance + 1e-6 * spacing * spacing;
+    }
+}
+
 /// Numbers of connected parts, by particle.
 std::vector<int> parts_of(std::size_t count, const std::vector<Pair>& pairs) {
     std::vector<int> root(count);
@@ -155,11 +171,12 @@ std::vector<Spring> make_springs(const ParticleSet& particles, SpringLayout layo
         near.erase(std::remove_if(near.begin(), near.end(), [&](const NearPoint& n) { return n.point == i; }),
                    near.end());
         joined.clear();
-        if (layout != SpringLayout::nearest15)
+        if (layout == SpringLayout::nearest15)
+            join_nearest(i, nearest, particles.spacing, near, joiner, joined);
+        else
             join_by_direction(i, particles, near, directions, joiner, joined);
-        const std::size_t wanted = layout == SpringLayout::nearest15 ? nearest : least;
         for (const bool anywhere : {false, true}) // what leaves the solid only when nothing else is there
-            for (std::size_t n = 0; n < near.size() && joined.size() < (anywhere ? 3 : wanted); ++n)
+            for (std::size_t n = 0; n < near.size() && joined.size() < (anywhere ? 3 : least); ++n)
                 if (std::find(joined.begin(), joined.end(), near[n].point) == joined.end() &&
                     (anywhere || joiner.inside(i, near[n].point)))
                     joined.push_back(near[n].point);
