@@ -60,7 +60,7 @@ private:
     std::vector<Pair> pairs_;
 };
 
-/// Springs of one particle; near: the others, nearest first.
+/// Springs of one particle; near: the others, nearest first, distances in spacings.
 void join_by_direction(int i, const ParticleSet& particles, const std::vector<NearPoint>& near,
                        const std::vector<Vec3>& directions, Joiner& joiner, std::vector<int>& joined) {
     constexpr double reach = 1.5;
@@ -77,7 +77,7 @@ void join_by_direction(int i, const ParticleSet& particles, const std::vector<Ne
                 best = k;
             }
         }
-        const double length = reach * particles.spacing * directions[best].norm();
+        const double length = reach * directions[best].norm();
         if (taken[best] != 0 || other.squared_distance > length * length || !joiner.inside(i, other.point))
             continue;
         taken[best] = 1;
@@ -85,10 +85,16 @@ void join_by_direction(int i, const ParticleSet& particles, const std::vector<Ne
     }
 }
 
-/// The nearest ones in the solid. Many in a lattice are equally near but for rounding: all of the last distance count, or the unit
-/// of length would choose.
-void join_nearest(int i, std::size_t count, double spacing, const std::vector<NearPoint>& near,
-                  Joiner& joiner, std::vector<int>& joined) {
+/// Many in a lattice are equally near but for rounding: those by number, or the unit of length would choose.
+void settle_ties(std::vector<NearPoint>& near, double spacing) {
+    for (NearPoint& n : near)
+        n.squared_distance = std::round(1e6 * n.squared_distance / (spacing * spacing)) * 1e-6;
+    std::sort(near.begin(), near.end());
+}
+
+/// The nearest ones in the solid, and all that are as near as the last of them.
+void join_nearest(int i, std::size_t count, const std::vector<NearPoint>& near, Joiner& joiner,
+                  std::vector<int>& joined) {
     double last = std::numeric_limits<double>::infinity();
     for (const NearPoint& other : near) {
         if (other.squared_distance > last)
@@ -97,7 +103,7 @@ void join_nearest(int i, std::size_t count, double spacing, const std::vector<Ne
             continue;
         joined.push_back(other.point);
         if (joined.size() == count)
-            last = other.squared_distance + 1e-6 * spacing * spacing;
+            last = other.squared_distance;
     }
 }
 
@@ -170,9 +176,10 @@ std::vector<Spring> make_springs(const ParticleSet& particles, SpringLayout layo
         cells.nearest(particles.rest[k], looked_at + 1, near);
         near.erase(std::remove_if(near.begin(), near.end(), [&](const NearPoint& n) { return n.point == i; }),
                    near.end());
+        settle_ties(near, particles.spacing);
         joined.clear();
         if (layout == SpringLayout::nearest15)
-            join_nearest(i, nearest, particles.spacing, near, joiner, joined);
+            join_nearest(i, nearest, near, joiner, joined);
         else
             join_by_direction(i, particles, near, directions, joiner, joined);
         for (const bool anywhere : {false, true}) // what leaves the solid only when nothing else is there
