@@ -169,10 +169,11 @@ void MassSpringBody::deform(double) {
                 x()[at(particles_.vertex[i])].setConstant(std::numeric_limits<double>::quiet_NaN());
 }
 
-/// In every step, as Janak does: a boundary particle that is too near to a solid is put outside and loses its velocity.
+/// In every step, as Janak does: a particle that is too near to a solid is put outside and loses its velocity. Inner ones, too: his
+/// spheres leave no way between boundary particles, single points do.
 /// Solids stand still within a pass, so who is farther from all of them than it has gone since it was looked at is passed over.
 void MassSpringBody::collide() {
-    for (std::size_t i = 0; i < particles_.size() && particles_.vertex[i] >= 0; ++i) {
+    for (std::size_t i = 0; i < particles_.size(); ++i) {
         Vec3 p = net_.positions()[i];
         if (body_[i] >= 0 || (p - looked_at_[i]).norm() < clear_[i])
             continue;
