@@ -35,7 +35,7 @@ SoftBodyProblem strap(std::vector<const char*> settings = {}) {
             problem.body_of_vertex[i] = share == 1.0;
     }
     set_method(problem.parameters, "mass-spring");
-    problem.parameters.assign("mass-spring.particles=300");
+    problem.parameters.assign("mass-spring.particles=200");
     for (const char* setting : settings)
         problem.parameters.assign(setting);
     return problem;
@@ -96,8 +96,8 @@ TEST_CASE("mass-spring: when all solids move as one the settled shape goes along
             problem.carry_weights.clear();
         const auto solver = make_mass_spring_solver(problem);
         std::vector<Pose> from(2), to(2);
-        for (int f = 1; f <= (carried ? 10 : 60); ++f) {
-            to[0] = to[1] = rotation_about(Vec3(10, 40, 0), Vec3(1, 1, 0), 0.05 * std::min(f, 10));
+        for (int f = 1; f <= (carried ? 5 : 30); ++f) {
+            to[0] = to[1] = rotation_about(Vec3(10, 40, 0), Vec3(1, 1, 0), 0.05 * std::min(f, 5));
             solver->advance(from, to);
             from = to;
         }
@@ -138,20 +138,19 @@ TEST_CASE("mass-spring: it comes back to rest, and more steps bring it nearer in
     CHECK(away[2] < 0.02);
 }
 
-TEST_CASE("mass-spring: the result depends neither on threads nor on the unit of length",
-          "[solver][mass-spring]") {
+TEST_CASE("mass-spring: the same bits for any number of threads", "[solver][mass-spring]") {
     SoftBodyProblem problem = strap({"solver.volume=kept"});
-    const Points one = bent(problem, nullptr, 4);
+    const Points one = bent(problem, nullptr, 2);
     problem.threads = 3;
-    CHECK(bent(problem, nullptr, 4) == one);
+    CHECK(bent(problem, nullptr, 2) == one);
 }
 
 TEST_CASE("mass-spring: parameters and layouts act", "[solver][mass-spring]") {
-    const Points usual = bent(strap(), nullptr, 3);
+    const Points usual = bent(strap(), nullptr, 2);
     for (const char* other :
          {"mass-spring.springs=lattice6", "mass-spring.springs=nearest15", "mass-spring.particles=150",
           "mass-spring.steps=35", "mass-spring.damping=0.3", "solver.iterations=10", "solver.volume=kept"})
-        CHECK(farthest(bent(strap({other}), nullptr, 3), usual) > 1e-4);
+        CHECK(farthest(bent(strap({other}), nullptr, 2), usual) > 1e-4);
 }
 
 TEST_CASE("mass-spring: nothing enters a plate that comes up from below", "[solver][mass-spring]") {
