@@ -36,8 +36,8 @@ void squared_distances(const Eigen::Matrix3Xd& places, const Vec3& x, Out&& out)
 
 } // namespace
 
-RbfField::RbfField(Points centres, RbfKernel kernel)
-    : centres_(std::move(centres)), polynomial_(centres_),
+RbfField::RbfField(Points centres, RbfKernel kernel, bool affine)
+    : centres_(std::move(centres)), polynomial_(centres_, affine),
       kernel_(polynomial_.full() ? kernel : RbfKernel::linear), places_(matrix_of(centres_)) {
     const auto n = static_cast<Eigen::Index>(centres_.size());
     const Eigen::Index q = polynomial_.size();

@@ -21,8 +21,9 @@ using RbfMatrix = Eigen::MatrixXd;
 
 class RbfField {
 public:
-    /// N >= 1 different points. Throws Error when they are not different enough for a factor.
-    RbfField(Points centres, RbfKernel kernel);
+    /// N >= 1 different points. affine: false has only the constant, and psi = -r. Throws Error when the points are not different
+    /// enough for a factor.
+    RbfField(Points centres, RbfKernel kernel, bool affine = true);
 
     const Points& centres() const { return centres_; }
     const RbfPolynomial& polynomial() const { return polynomial_; }

@@ -7,7 +7,7 @@
 
 namespace fascicle::solver {
 
-RbfPolynomial::RbfPolynomial(const Points& centres) {
+RbfPolynomial::RbfPolynomial(const Points& centres, bool affine) {
     FASCICLE_ASSERT(!centres.empty());
     for (const Vec3& p : centres)
         centre_ += p / double(centres.size());
@@ -18,6 +18,8 @@ RbfPolynomial::RbfPolynomial(const Points& centres) {
     if (!(squared > 0.0))
         return;
     scale_ = std::sqrt(squared);
+    if (!affine)
+        return;
     const Eigen::SelfAdjointEigenSolver<Mat3> eigen(spread);
     const double widest = eigen.eigenvalues()[2];
     for (int k = 2; k >= 0; --k) // eigenvalues ascend

@@ -13,8 +13,8 @@ public:
     static constexpr double flat_share = 1e-3;
 
     RbfPolynomial() = default;
-    /// At least one centre.
-    explicit RbfPolynomial(const Points& centres);
+    /// At least one centre. affine: false leaves all directions out.
+    explicit RbfPolynomial(const Points& centres, bool affine = true);
 
     int size() const { return size_; }
     bool full() const { return size_ == 4; }

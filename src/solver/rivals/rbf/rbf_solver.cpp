@@ -43,7 +43,6 @@ private:
     RbfAttachments attachments_;
     RbfContact contact_field_;
     int most_contacts_;
-    RbfKernel kernel_;
     Points base_;               ///< F: by the attachments alone, or the rest shape moved rigidly
     Points places_, targets_;   ///< F: with the contacts so far; where contact wants them
     std::vector<double> depth_; ///< F: way to the target, 0 none
@@ -66,8 +65,7 @@ RbfKernel kernel_of(const SoftBodyProblem& problem) {
 RbfSolver::RbfSolver(const SoftBodyProblem& problem)
     : RivalBody(problem), vertices_(free_vertices(problem, inverse_mass())),
       attachments_(problem, vertices_, problem.parameters.get_int("rbf.centres"), kernel_of(problem)),
-      most_contacts_(problem.parameters.get_int("rbf.contacts")), kernel_(kernel_of(problem)),
-      depth_(vertices_.size(), 0.0) {
+      most_contacts_(problem.parameters.get_int("rbf.contacts")), depth_(vertices_.size(), 0.0) {
     for (const int v : vertices_)
         rest_.push_back(rest()[static_cast<std::size_t>(v)]);
     if (attachments_.field() != nullptr)
@@ -151,7 +149,8 @@ void RbfSolver::bend() {
             return;
         evaluate(*attachments_.field(), centres, coefficients, rest_, problem().threads, values);
     } else {
-        const RbfField field(centres, kernel_);
+        // No affine part: to put a cap on a plane is an affine map, which would flatten the whole body.
+        const RbfField field(centres, RbfKernel::linear, false);
         RbfMatrix right = RbfMatrix::Zero(field.size(), 3);
         right.topRows(wanted.rows()) = wanted;
         evaluate(field, {}, field.solve(right), rest_, problem().threads, values);
