@@ -10,7 +10,7 @@ namespace fascicle::solver {
 namespace {
 
 /// An attachment gives by about strain * spacing / this; a touched point stands in by about strain * spacing / that.
-constexpr double attachment_factor = 1000.0, contact_factor = 20.0;
+constexpr double attachment_factor = 1000.0, contact_factor = 10.0;
 
 class FemBody final : public LatticeBody {
 public:
@@ -57,8 +57,8 @@ private:
     TetStatics make_statics() const {
         StaticsSettings settings;
         settings.force_scale = param("fem.young_kpa") * lattice_.spacing * lattice_.spacing;
-        settings.tolerance = 1e-4;
-        settings.most_steps = 10;
+        settings.tolerance = 1e-3;
+        settings.most_steps = 8;
         settings.threads = problem().threads;
         return TetStatics(lattice_.nodes, lattice_.tets, lattice_.fill, fibres(),
                           material_from(param("fem.young_kpa"), param("fem.poisson"), param("fem.fibre_kpa")),

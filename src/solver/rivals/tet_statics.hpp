@@ -74,7 +74,7 @@ public:
     const StaticsReport& report() const { return report_; }
     std::size_t bytes() const;
 
-    static constexpr int stale_after = 25;
+    static constexpr int stale_after = 20;
 
 private:
     std::array<Vec3, 4> corners(std::size_t tet, const Points& x) const;
