@@ -100,12 +100,12 @@ TEST_CASE("A lattice is the same for any number of threads, and grows with the b
 TEST_CASE("A lattice stays within its bound of tetrahedra, and a small body gets a finer one",
           "[solver][tet]") {
     LatticeOptions options;
-    options.spacing = 0.1;
+    options.spacing = 0.5;
     options.most_tets = 2000;
     const EmbeddingLattice bounded = make_embedding_lattice(test::sphere(10, 2), options);
     CHECK(bounded.tets.size() <= 2000);
     CHECK(bounded.tets.size() > 800);
-    CHECK(bounded.spacing > 0.1);
+    CHECK(bounded.spacing > 0.5);
     const EmbeddingLattice small = lattice_of(test::sphere(1, 2), 100);
     CHECK(small.spacing < 1);
     CHECK_THROWS_WITH(lattice_of(TriMesh{{Vec3(1, 1, 1)}, {}}, 1), Catch::Contains("no extent"));

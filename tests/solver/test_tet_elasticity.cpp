@@ -202,8 +202,8 @@ TEST_CASE("Flat, needle-like and point-like tetrahedra have finite energies, for
           "[solver][tet]") {
     const TetMaterial material = material_from(30, 0.47, 50);
     const TetShape shape = tet_shape(rest, 1.0, along);
-    std::vector<Mat3> flat{Mat3::Zero(), -Mat3::Identity(), Vec3(1, 0, 0).asDiagonal(),
-                           Vec3(1, 1, 0).asDiagonal(), Vec3(1, 1, -1).asDiagonal()};
+    const std::vector<Mat3> flat{Mat3::Zero(), -Mat3::Identity(), Vec3(1, 0, 0).asDiagonal(),
+                                 Vec3(1, 1, 0).asDiagonal(), Vec3(1, 1, -1).asDiagonal()};
     for (const Mat3& f : flat) {
         CHECK(std::isfinite(energy_density(material, along, f)));
         CHECK(first_piola(material, along, f).allFinite());

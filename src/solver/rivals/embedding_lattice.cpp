@@ -5,6 +5,7 @@
 #include "fascicle/base/parallel.hpp"
 #include "fascicle/geometry/bounding_box.hpp"
 #include "fascicle/geometry/mesh_topology.hpp"
+#include "fascicle/geometry/volume.hpp"
 #include "fascicle/geometry/winding_number.hpp"
 #include "solver/rivals/tet_overlap.hpp"
 
@@ -214,6 +215,10 @@ EmbeddingLattice make_embedding_lattice(const TriMesh& surface, const LatticeOpt
     const WindingNumber winding(surface);
     constexpr double most_cells = 5e5, coarser = 1.1;
     double spacing = std::min(options.spacing, box.diagonal() / 6.0);
+    // The volume alone needs so many; less need not be tried (but for rounding, and for surfaces that overlap themselves).
+    const double volume = std::abs(signed_volume(surface.positions, surface.triangles));
+    while (volume / (spacing * spacing * spacing / 12.0) > 1.2 * options.most_tets)
+        spacing *= coarser;
     for (;; spacing *= coarser) {
         if (Cells::cells_of(box, spacing) > most_cells)
             continue;

@@ -9,14 +9,11 @@ namespace fascicle::solver {
 
 namespace {
 
-/// An attachment gives by about strain * spacing / this; a touched point stands in by about strain * spacing / that.
-constexpr double attachment_factor = 1000.0, contact_factor = 10.0;
-
 class FemBody final : public LatticeBody {
 public:
     explicit FemBody(const SoftBodyProblem& problem)
         : LatticeBody(problem, problem.parameters.get("fem.spacing_mm")), statics_(make_statics()) {
-        const double per_area = param("fem.young_kpa") / lattice_.spacing;
+        const double young = param("fem.young_kpa"), spacing = lattice_.spacing;
         for (std::size_t i = 0; i < rest().size(); ++i) {
             const TetBinding& binding = lattice_.bindings[i];
             if (binding.tet < 0)
@@ -24,12 +21,12 @@ public:
             if (this->problem().body_of_vertex[i] >= 0) {
                 attached_.push_back(i);
                 statics_.pulls().push_back(
-                    {binding, rest()[i], attachment_factor * per_area * vertex_areas()[i]});
+                    {binding, rest()[i], attachment_stiffness(young, vertex_areas()[i], spacing)});
                 continue;
             }
             for (std::size_t b = 0; b < solids().size(); ++b) {
                 touches_.push_back(b);
-                statics_.touches().push_back({binding, contact_factor * per_area * vertex_areas()[i]});
+                statics_.touches().push_back({binding, contact_stiffness(young, vertex_areas()[i], spacing)});
             }
         }
         statics_.set_depth(

@@ -1,5 +1,6 @@
 #pragma once
-// The constraints of one tetrahedron in XPBD: volume and distortion of a neo-Hookean solid, and the length of fibres.
+// The constraints of one tetrahedron in XPBD: volume, distortion, and the length of fibres. Sources: XPBD: Macklin, Mueller, Chentanez
+// 2016; one energy and one volume constraint a tetrahedron: methods notes 6.4.
 
 #include "solver/rivals/tet_elasticity.hpp"
 
@@ -13,21 +14,20 @@ struct TetConstraint {
     TetPoints gradient{};
 };
 
-/// C = det F - gamma; dC/dx_i = cof(F) g_i. Macklin & Mueller 2021, "A constraint-based formulation of stable neo-Hookean materials".
-TetConstraint hydrostatic(const TetShape& shape, const TetPoints& x, double gamma);
-/// C = sqrt(tr(F^T F)) = |F|; dC/dx_i = F g_i / |F|, zero for F = 0. Same source.
-TetConstraint deviatoric(const TetShape& shape, const TetPoints& x);
+/// C = det F - 1; dC/dx_i = cof(F) g_i.
+TetConstraint volume_change(const TetShape& shape, const TetPoints& x);
+/// C = |F - R|, R the rotation nearest to F; dC/dx_i = (F - R) g_i / C, zero at C = 0.
+TetConstraint distortion(const TetShape& shape, const TetPoints& x);
 /// C = max(0, |F a| - 1), a the fibres' direction; dC/dx_i = (a . g_i) F a / |F a|. Zero without fibres and for fibres that are short.
 TetConstraint fibre_length(const TetShape& shape, const TetPoints& x);
 
-/// The energy is V (mu/2 |F|^2 + l/2 (det F - gamma)^2 + k/2 max(0, |F a| - 1)^2), l = lambda + mu, gamma = 1 + mu/l, which at small
-/// strain is that of Lamé's constants mu, lambda (Smith, de Goes, Kim 2018, section 3.4) and has no stress at rest.
-double neo_hookean_gamma(const TetMaterial& material);
-double neo_hookean_energy(const TetMaterial& material, const TetShape& shape, const TetPoints& x);
+/// The energy is V (mu |F - R|^2 + lambda/2 (det F - 1)^2 + k/2 max(0, |F a| - 1)^2): at small strain that of Lamé's constants.
+double tet_energy(const TetMaterial& material, const TetShape& shape, const TetPoints& x);
 
-/// One XPBD projection (multipliers start at 0 in each substep) of the first two constraints together, then of the fibres:
-///   (G + A) dl = -C, dx_i = w_i sum_c dl_c dC_c/dx_i, G_cd = sum_i w_i grad_i C_c . grad_i C_d, A = diag(1 / (stiffness V h^2)).
-/// Together, because at rest both are far from zero and balance each other: one after the other they would never be still.
+/// One XPBD projection (multipliers start at 0 in each substep) of each constraint, the volume last:
+///   dl = -C / (sum_i w_i |dC/dx_i|^2 + 1 / (stiffness V h^2)), dx_i = w_i dl dC/dx_i; stiffness 2 mu, k, lambda.
+/// All three vanish at rest, so that they never fight: Macklin & Mueller 2021 take |F| for the distortion, which does not, and its
+/// projection overshoots where h^2 stiffness is large beside the mass (measured, docs/rivals/xpbd-tet.md).
 /// w: inverse masses of the corners (kg, when stresses are in kPa, lengths in mm and h in s); scale: millimetres per unit of x.
 void project_tet(const TetMaterial& material, const TetShape& shape, TetPoints& x,
                  const std::array<double, 4>& inverse_mass, double h, double scale);

@@ -288,7 +288,6 @@ const StaticsReport& TetStatics::solve(Points& x) {
     if (getenv("TETDBG"))
         fprintf(stderr, "tets %zu nodes %zu steps %d inner %d factors %d res %.2e L %ld\n", tets_.size(),
                 x.size(), report_.steps, report_.inner, report_.factors, report_.residual,
-                factored_ ? long(factor_.matrixL().nestedExpression().nonZeros()) : 0L); // DBG
     return report_;
 }
 
