@@ -31,8 +31,12 @@ class ConvertTest(ProgramTest):
                     self.assertEqual((self.folder / "c.obj").read_bytes().strip(), normal)
             text = self.check_done("info", *(f"b.{b}" for b in FORMATS))
             for line in (f"  vertices      {self.vertices}", f"  triangles     {self.triangles}", "  surface       closed",
-                         "  defects       none", "  unit          mm (guessed from the size)"):
+                         "  defects       none"):
                 self.assertEqual(text.splitlines().count(line), len(FORMATS), f"{a}: {line}\n{text}")
+            # What says metres is carried on as that, though the size tells otherwise.
+            said = {"glb", "usda"} if a not in ("glb", "usda") else set(FORMATS)
+            self.assertEqual(text.count("unit          m (as the file says, though the size fits mm)"), len(said), text)
+            self.assertEqual(text.count("unit          mm (guessed from the size)"), len(FORMATS) - len(said), text)
 
     def normal(self):
         self.check_done("convert", "box.obj", "normal.obj")
