@@ -13,6 +13,7 @@
 
 #include <catch2/catch.hpp>
 #include <cstring>
+#include <limits>
 #include <random>
 #include <sstream>
 
@@ -46,7 +47,7 @@ std::string usda_sample() {
 std::string cache_sample(bool pc2) {
     std::ostringstream out;
     const Animation animation = small();
-    (pc2 ? io::write_pc2 : io::write_mdd)(out, animation.bodies[0], animation, {});
+    (pc2 ? io::write_pc2 : io::write_mdd)(out, animation.bodies[0], animation, {}, "sample");
     return out.str();
 }
 
@@ -228,6 +229,38 @@ TEST_CASE("hostile USD text is refused with a reason", "[io][malformed][animatio
     CHECK_THAT(mesh("point3f[] points = [(0, 0, 0)]\nfloat xformOp:foo = 1\nuniform token[] xformOpOrder = "
                     "[\"xformOp:foo\"]"),
                Catch::Contains("xformOp:foo"));
+}
+
+TEST_CASE("Point caches refuse coordinates and times that no float holds", "[io][malformed][animation]") {
+    const TempDir folder;
+    const auto refused = [&](const char* key, const Animation& animation, const std::string& words) {
+        const std::string name = std::string("fibres.") + key;
+        CHECK_THROWS_WITH(find_animation_format(key)->write(folder.path(), animation, {}, {}),
+                          Catch::Contains(name + ": ") && Catch::Contains(words));
+        CHECK_FALSE(std::filesystem::exists(folder.path() / name));
+    };
+    for (const char* key : {"pc2", "mdd"})
+        for (const double bad : {1e39, -1e200, 3.41e38}) {
+            Animation animation = small();
+            animation.bodies[0].points = [bad](std::size_t k, Points& points) {
+                points.assign(6, Vec3::Zero());
+                if (k == 2)
+                    points[5].z() = bad;
+            };
+            refused(key, animation, "a coordinate is beyond 3402823");
+        }
+    Animation animation = small();
+    animation.seconds.back() = 1e39;
+    refused("mdd", animation, "a time is beyond 3402823");
+    animation.seconds = {1e9, 1e9 + 1, 1e9 + 2}; // floats lie 64 apart there
+    refused("mdd", animation, "is at the time of the one before it");
+    // The largest float itself is one.
+    animation = small();
+    animation.bodies[0].points = [](std::size_t, Points& points) {
+        points.assign(6, Vec3::Constant(std::numeric_limits<float>::max()));
+    };
+    std::ostringstream out;
+    CHECK_NOTHROW(io::write_pc2(out, animation.bodies[0], animation, {}, "sample"));
 }
 
 TEST_CASE("A series for ParaView names only files below its own folder", "[io][malformed][animation]") {

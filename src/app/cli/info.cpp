@@ -68,7 +68,7 @@ void print_hints(const MeshHints& hints) {
 
 void print_series(const std::string& path, const std::string& bytes) {
     const auto series = parse_series(bytes, path);
-    std::cout << path << '\n';
+    std::cout << one_line(path) << '\n';
     print("format", "ParaView series");
     print("steps", std::to_string(series.size()));
     if (!series.empty()) {
@@ -80,7 +80,7 @@ void print_series(const std::string& path, const std::string& bytes) {
 /// What of an OpenSim model a scene can be made of.
 void print_model(const std::string& path) {
     const OsimPreview model = preview_osim(path, {});
-    std::cout << path << '\n';
+    std::cout << one_line(path) << '\n';
     print("format", "OpenSim model, version " + std::to_string(model.version));
     print("name", model.model_name);
     print("unit", "m");
