@@ -282,14 +282,17 @@ void AtomicFile::Buffer::close() {
         reason = errno;
 }
 
+fs::path temporary_name(const fs::path& path) {
+    static std::atomic<unsigned> counter{0};
+    remove_orphans(path);
+    return path.parent_path() / (temporary_start(path) + std::to_string(::getpid()) + "-" + std::to_string(counter++));
+}
+
 AtomicFile::AtomicFile(fs::path path)
     : path_((check_output_name(path), std::move(path))), folders_(path_.parent_path()) {
-    static std::atomic<unsigned> counter{0};
-    remove_orphans(path_);
     // Never a file or link that somebody else put there: a number that is taken is passed over.
     for (int attempt = 0; attempt < 100 && buffer_.file < 0; ++attempt) {
-        temporary_ = path_.parent_path() /
-                     (temporary_start(path_) + std::to_string(::getpid()) + "-" + std::to_string(counter++));
+        temporary_ = temporary_name(path_);
         do
             buffer_.file = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         while (buffer_.file < 0 && errno == EINTR);

@@ -3,6 +3,7 @@
 #include "fascicle/base/error.hpp"
 #include "fascicle/io/animation_file.hpp"
 #include "fascicle/io/files.hpp"
+#include "fascicle/io/mesh_file.hpp"
 #include "io/formats/gltf_read.hpp"
 #include "io/formats/gltf_write.hpp"
 #include "io/formats/point_cache.hpp"
@@ -229,6 +230,21 @@ TEST_CASE("hostile USD text is refused with a reason", "[io][malformed][animatio
     CHECK_THAT(mesh("point3f[] points = [(0, 0, 0)]\nfloat xformOp:foo = 1\nuniform token[] xformOpOrder = "
                     "[\"xformOp:foo\"]"),
                Catch::Contains("xformOp:foo"));
+}
+
+TEST_CASE("Very many bodies at very many times are refused before anything is written", "[io][malformed][animation]") {
+    const TempDir folder;
+    std::string text = "#usda 1.0\n";
+    constexpr int bodies = 4000;
+    for (int i = 0; i < bodies; ++i) {
+        const std::string number = std::to_string(i);
+        text += "def Mesh \"m" + number + "\" { point3f[] points.timeSamples = { " + number +
+                ": [(0,0,0),(1,0,0),(0,1,0)] } int[] faceVertexCounts = [3] int[] faceVertexIndices = [0,1,2] }\n";
+    }
+    write_file(folder.path() / "many.usda", text);
+    CHECK_THROWS_WITH(read_animation(folder.path() / "many.usda"),
+                      Catch::Contains("many.usda: 4000 bodies at 4000 times; expected at most 10 million shapes"));
+    CHECK(read_mesh_data(folder.path() / "many.usda").mesh.triangle_count() == bodies); // its first frame alone
 }
 
 TEST_CASE("Point caches refuse coordinates and times that no float holds", "[io][malformed][animation]") {
