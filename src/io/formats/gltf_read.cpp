@@ -75,7 +75,7 @@ void GlbReader::add_faces(Shape& shape, const std::vector<std::uint32_t>& indice
                 shape.lines.push_back({at(i)});
             shape.lines.back().push_back(at(i + 1));
         }
-    } else if (n > 0) {
+    } else if (n > 1) { // one point is no line
         std::vector<int> line(indices.begin(), indices.end());
         if (mode == line_loop)
             line.push_back(line.front());
