@@ -112,7 +112,7 @@ void RemeshTopology::flip(int h) {
 }
 
 bool RemeshTopology::may_collapse(int h) const {
-    const int a = start(h), b = end(h), c = opposite(h), d = opposite(twin(h));
+    const int b = end(h), c = opposite(h), d = opposite(twin(h));
     if (c == d || !has_more_edges(c, 3) || !has_more_edges(d, 3))
         return false;
     int e = h; // the only common neighbours are c and d

@@ -285,7 +285,8 @@ void AtomicFile::Buffer::close() {
 fs::path temporary_name(const fs::path& path) {
     static std::atomic<unsigned> counter{0};
     remove_orphans(path);
-    return path.parent_path() / (temporary_start(path) + std::to_string(::getpid()) + "-" + std::to_string(counter++));
+    return path.parent_path() /
+           (temporary_start(path) + std::to_string(::getpid()) + "-" + std::to_string(counter++));
 }
 
 AtomicFile::AtomicFile(fs::path path)

@@ -444,7 +444,8 @@ TEST_CASE("Wheels with very many spokes are repaired in no time", "[repair]") {
     }
     const auto start = std::chrono::steady_clock::now();
     const RepairResult r = repair(wheel);
-    CHECK(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < 20); // hub by hub: minutes
+    CHECK(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() <
+          20); // hub by hub: minutes
     check_good(r);
     CHECK(volume(r.mesh) == Approx(2 * 3.14159265358979323846 / 3).epsilon(1e-3));
     CHECK(r.mesh.vertex_count() < spokes / 10);

@@ -13,6 +13,7 @@
 #include "support/temp_dir.hpp"
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cstring>
 #include <limits>
 #include <random>
@@ -203,6 +204,27 @@ TEST_CASE("hostile glTF is refused with a reason", "[io][malformed][animation]")
         Catch::Contains("again and again"));
 }
 
+TEST_CASE("A glTF mesh of very many primitives is read quickly, those of one accessor as one body",
+          "[io][malformed][animation]") {
+    constexpr int primitives = 20000;
+    std::string accessors, list;
+    for (int i = 0; i < primitives; ++i) {
+        accessors += std::string(i > 0 ? "," : "") +
+                     "{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}";
+        list += std::string(i > 0 ? "," : "") + "{\"attributes\":{\"POSITION\":" + std::to_string(i) + "}}";
+    }
+    const std::string bytes = glb_of("{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":64}],"
+                                     "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
+                                     "\"accessors\":[" +
+                                     accessors + "],\"meshes\":[{\"primitives\":[" + list + "," + list +
+                                     "]}],\"nodes\":[{\"mesh\":0}]}");
+    const auto start = std::chrono::steady_clock::now();
+    const Animation found = io::read_glb(bytes, "many.glb");
+    CHECK(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < 10);
+    REQUIRE(found.bodies.size() == primitives);
+    CHECK(found.bodies.back().triangles.size() == 2);
+}
+
 TEST_CASE("hostile USD text is refused with a reason", "[io][malformed][animation]") {
     const auto error = [](const std::string& text) { return error_of("#usda 1.0\n" + text, io::read_usda); };
     CHECK_THAT(error_of("PXR-USDC", io::read_usda), Catch::Contains("usdcat"));
@@ -232,19 +254,23 @@ TEST_CASE("hostile USD text is refused with a reason", "[io][malformed][animatio
                Catch::Contains("xformOp:foo"));
 }
 
-TEST_CASE("Very many bodies at very many times are refused before anything is written", "[io][malformed][animation]") {
+TEST_CASE("Very many bodies at very many times are refused before anything is written",
+          "[io][malformed][animation]") {
     const TempDir folder;
     std::string text = "#usda 1.0\n";
     constexpr int bodies = 4000;
     for (int i = 0; i < bodies; ++i) {
         const std::string number = std::to_string(i);
         text += "def Mesh \"m" + number + "\" { point3f[] points.timeSamples = { " + number +
-                ": [(0,0,0),(1,0,0),(0,1,0)] } int[] faceVertexCounts = [3] int[] faceVertexIndices = [0,1,2] }\n";
+                ": [(0,0,0),(1,0,0),(0,1,0)] } int[] faceVertexCounts = [3] int[] faceVertexIndices = "
+                "[0,1,2] }\n";
     }
     write_file(folder.path() / "many.usda", text);
-    CHECK_THROWS_WITH(read_animation(folder.path() / "many.usda"),
-                      Catch::Contains("many.usda: 4000 bodies at 4000 times; expected at most 10 million shapes"));
-    CHECK(read_mesh_data(folder.path() / "many.usda").mesh.triangle_count() == bodies); // its first frame alone
+    CHECK_THROWS_WITH(
+        read_animation(folder.path() / "many.usda"),
+        Catch::Contains("many.usda: 4000 bodies at 4000 times; expected at most 10 million shapes"));
+    CHECK(read_mesh_data(folder.path() / "many.usda").mesh.triangle_count() ==
+          bodies); // its first frame alone
 }
 
 TEST_CASE("Point caches refuse coordinates and times that no float holds", "[io][malformed][animation]") {

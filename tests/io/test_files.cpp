@@ -87,7 +87,8 @@ TEST_CASE("a full disk is told with the file and the system's words", "[io][file
     CHECK(shown_path("a/b") == "a/b");
 }
 
-TEST_CASE("temporary files of killed programs go with the next file of that name, nothing else does", "[io][files]") {
+TEST_CASE("temporary files of killed programs go with the next file of that name, nothing else does",
+          "[io][files]") {
     const TempDir dir;
     const pid_t child = ::fork(); // its number is nobody's once it has been waited for
     REQUIRE(child >= 0);
@@ -95,9 +96,15 @@ TEST_CASE("temporary files of killed programs go with the next file of that name
         ::_exit(0);
     REQUIRE(::waitpid(child, nullptr, 0) == child);
     const std::string dead = std::to_string(child), alive = std::to_string(::getpid());
-    const std::vector<std::string> stay = {"out.vtp.part" + alive + "-7", "out.vtp.part" + dead, "out.vtp.part" + dead + "-",
-                                           "out.vtp.part" + dead + "-0.bak", "out.vtp.part" + dead + "-0-1", "out.vtp.part-" + dead + "-1",
-                                           "out.vtp.partition", "other.vtp.part" + dead + "-0", "out.vtp.part1-0",
+    const std::vector<std::string> stay = {"out.vtp.part" + alive + "-7",
+                                           "out.vtp.part" + dead,
+                                           "out.vtp.part" + dead + "-",
+                                           "out.vtp.part" + dead + "-0.bak",
+                                           "out.vtp.part" + dead + "-0-1",
+                                           "out.vtp.part-" + dead + "-1",
+                                           "out.vtp.partition",
+                                           "other.vtp.part" + dead + "-0",
+                                           "out.vtp.part1-0",
                                            "more out.vtp.part" + dead + "-0"};
     const std::vector<std::string> go = {"out.vtp.part" + dead + "-0", "out.vtp.part" + dead + "-12345"};
     for (const auto* names : {&stay, &go})

@@ -183,7 +183,8 @@ TEST_CASE("Meshes are found as OpenSim finds them, and missing ones are named", 
     CHECK_THAT(error_of(r), Contains("no bone moves")); // that file was not even looked at
 }
 
-TEST_CASE("A model that names one large mesh again and again is refused, and a file is read once", "[io][osim_scene]") {
+TEST_CASE("A model that names one large mesh again and again is refused, and a file is read once",
+          "[io][osim_scene]") {
     const OsimFiles files;
     std::string points;
     for (int i = 0; i < 1000000; ++i)
@@ -195,8 +196,11 @@ TEST_CASE("A model that names one large mesh again and again is refused, and a f
         names += "</mesh_file></Mesh><Mesh name=\"m\"><mesh_file>many.obj";
     files.model("base.obj", names);
     SceneRequest r = files.request();
-    CHECK_THAT(error_of(r), Contains("arm.osim") &&
-                                Contains("the meshes of body 'arm_r' have more than 5 million points or triangles with many.obj"));
+    CHECK_THAT(
+        error_of(r),
+        Contains("arm.osim") &&
+            Contains(
+                "the meshes of body 'arm_r' have more than 5 million points or triangles with many.obj"));
 
     // What its reader says is said once.
     MeshData data;
@@ -205,7 +209,8 @@ TEST_CASE("A model that names one large mesh again and again is refused, and a f
     files.model("base.obj", "ball.stl</mesh_file></Mesh><Mesh name=\"m\"><mesh_file>ball.stl");
     const LoadedScene loaded = load_scene(r);
     CHECK(std::count_if(loaded.notes.begin(), loaded.notes.end(), [](const std::string& note) {
-              return note.find("ball.stl: ") != std::string::npos && note.find("corners of triangles") != std::string::npos;
+              return note.find("ball.stl: ") != std::string::npos &&
+                     note.find("corners of triangles") != std::string::npos;
           }) == 1);
 
     // Bodies together.
@@ -216,7 +221,8 @@ TEST_CASE("A model that names one large mesh again and again is refused, and a f
     body.name = "b";
     for (std::size_t i = 0; i < io::ModelMeshes::most_in_all / io::ModelMeshes::most_in_body; ++i)
         CHECK_NOTHROW(meshes.use(part, body, {}));
-    CHECK_THROWS_WITH(meshes.use(part, body, {}), Contains("its bodies have more than 20 million points or triangles with part.obj"));
+    CHECK_THROWS_WITH(meshes.use(part, body, {}),
+                      Contains("its bodies have more than 20 million points or triangles with part.obj"));
 }
 
 TEST_CASE("Own meshes in millimetres go with a model in metres", "[io][osim_scene]") {

@@ -111,17 +111,19 @@ TEST_CASE("VTP: an array that not every piece has is passed over, not cut short"
     CHECK_THAT(data.notes[0], Contains("'a' is not in every piece"));
 }
 
-TEST_CASE("VTP: pieces of very many arrays are put together quickly, arrays of one name in their order", "[io][vtp]") {
+TEST_CASE("VTP: pieces of very many arrays are put together quickly, arrays of one name in their order",
+          "[io][vtp]") {
     std::string data;
     constexpr int arrays = 40000;
     for (int i = 0; i < arrays; ++i)
         data += array("a" + std::to_string(i), std::to_string(i));
-    const std::string one = "<Points>" + array("p", "0 0 0") + "</Points><PointData>" + array("twice", "1") + array("twice", "2") +
-                            data + "</PointData>";
+    const std::string one = "<Points>" + array("p", "0 0 0") + "</Points><PointData>" + array("twice", "1") +
+                            array("twice", "2") + data + "</PointData>";
     const std::string counts = "NumberOfPoints=\"1\"";
     const auto start = std::chrono::steady_clock::now();
     const MeshData found = read(file(counts, one + "</Piece><Piece " + counts + ">" + one));
-    CHECK(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < 5); // pairwise: minutes
+    CHECK(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() <
+          5); // pairwise: minutes
     REQUIRE(found.point_arrays.size() == arrays + 2);
     CHECK(found.point_arrays[0].values == std::vector<double>{1, 1});
     CHECK(found.point_arrays[1].values == std::vector<double>{2, 2});

@@ -21,7 +21,8 @@ std::filesystem::path repaired(const std::filesystem::path& file, const std::fil
     CHECK(before.nonmanifold_edges + before.nonmanifold_vertices > 0); // else there is nothing to show
     RepairResult result = repair(broken, {}, {});
     CHECK(result.reason.empty());
-    CHECK(result.measured_after.volume == Approx(signed_volume(broken.positions, broken.triangles)).epsilon(0.002));
+    CHECK(result.measured_after.volume ==
+          Approx(signed_volume(broken.positions, broken.triangles)).epsilon(0.002));
     MeshData data;
     data.mesh = std::move(result.mesh);
     std::filesystem::path out = folder / file.filename();
@@ -39,7 +40,8 @@ std::filesystem::path repaired(const std::filesystem::path& file, const std::fil
 
 } // namespace
 
-TEST_CASE("raw meshes of the hip are repaired to closed manifolds and simulate", "[simulation][repair][data][slow]") {
+TEST_CASE("raw meshes of the hip are repaired to closed manifolds and simulate",
+          "[simulation][repair][data][slow]") {
     FASCICLE_NEED_DATA(data);
     const auto lhdl = data / "lhdl";
     const test::TempDir folder;
