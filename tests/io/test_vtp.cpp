@@ -1,9 +1,11 @@
 #include "fascicle/base/error.hpp"
+#include "fascicle/base/text.hpp"
 #include "fascicle/io/files.hpp"
 #include "io/formats/vtp.hpp"
 #include "support/shapes.hpp"
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <sstream>
 
 using namespace fascicle;
@@ -107,6 +109,45 @@ TEST_CASE("VTP: an array that not every piece has is passed over, not cut short"
     CHECK(data.point_arrays.empty());
     REQUIRE(data.notes.size() == 1);
     CHECK_THAT(data.notes[0], Contains("'a' is not in every piece"));
+}
+
+TEST_CASE("VTP: pieces of very many arrays are put together quickly, arrays of one name in their order",
+          "[io][vtp]") {
+    std::string data;
+    constexpr int arrays = 40000;
+    for (int i = 0; i < arrays; ++i)
+        data += array("a" + std::to_string(i), std::to_string(i));
+    const std::string one = "<Points>" + array("p", "0 0 0") + "</Points><PointData>" + array("twice", "1") +
+                            array("twice", "2") + data + "</PointData>";
+    const std::string counts = "NumberOfPoints=\"1\"";
+    const auto start = std::chrono::steady_clock::now();
+    const MeshData found = read(file(counts, one + "</Piece><Piece " + counts + ">" + one));
+    CHECK(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() <
+          5); // pairwise: minutes
+    REQUIRE(found.point_arrays.size() == arrays + 2);
+    CHECK(found.point_arrays[0].values == std::vector<double>{1, 1});
+    CHECK(found.point_arrays[1].values == std::vector<double>{2, 2});
+    CHECK(found.point_arrays[2].values == std::vector<double>{0, 0});
+    CHECK(found.point_arrays.back().values == std::vector<double>{arrays - 1, arrays - 1});
+    CHECK(found.notes.empty());
+}
+
+TEST_CASE("VTP: names of arrays that are no text of XML are written as text", "[io][vtp]") {
+    MeshData data;
+    data.mesh = tetrahedron();
+    for (const char* name : {"caf\xE9", "\xC0\x80", "b\x1B[2Jc", "\xEF\xBF\xBF", "gro\xC3\x9F"})
+        data.point_arrays.push_back({name, 1, {1, 2, 3, 4}});
+    const std::string text = written(data);
+    CHECK(valid_utf8(text) == text);
+    CHECK(text.find('\x1B') == std::string::npos);
+    const MeshData again = read(text);
+    REQUIRE(again.point_arrays.size() == 5);
+    CHECK(again.point_arrays[0].name == "caf\xEF\xBF\xBD");
+    CHECK(again.point_arrays[1].name == "\xEF\xBF\xBD\xEF\xBF\xBD");
+    CHECK(again.point_arrays[2].name == "b [2Jc");
+    CHECK(again.point_arrays[3].name == "\xEF\xBF\xBD");
+    CHECK(again.point_arrays[4].name == "gro\xC3\x9F");
+    CHECK(written(again) == text);
 }
 
 TEST_CASE("VTP: mistakes name the line", "[io][vtp]") {

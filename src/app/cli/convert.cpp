@@ -191,7 +191,7 @@ MeshData outline_lines(const std::string& bytes, const std::string& file, std::v
 }
 
 void print(const std::string& out, const std::string& what, const std::vector<std::string>& notes) {
-    std::cout << one_line(out) << ": " << what << '\n';
+    std::cout << one_line(out) << ": " << one_line(what) << '\n';
     for (const std::string& note : notes)
         std::cout << "  " << one_line(note) << '\n';
 }

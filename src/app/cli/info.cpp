@@ -138,7 +138,7 @@ void print_cache(const std::string& path, const AnimationFormat& format) {
 
 void print_series(const std::string& path, const std::string& bytes) {
     const auto series = parse_series(bytes, path);
-    std::cout << path << '\n';
+    std::cout << one_line(path) << '\n';
     print("format", "ParaView series");
     print("steps", std::to_string(series.size()));
     if (!series.empty()) {
@@ -150,7 +150,7 @@ void print_series(const std::string& path, const std::string& bytes) {
 /// What of an OpenSim model a scene can be made of.
 void print_model(const std::string& path) {
     const OsimPreview model = preview_osim(path, {});
-    std::cout << path << '\n';
+    std::cout << one_line(path) << '\n';
     print("format", "OpenSim model, version " + std::to_string(model.version));
     print("name", model.model_name);
     print("unit", "m");

@@ -229,7 +229,8 @@ Animation read_vtp_series(const fs::path& path) {
 
 namespace {
 
-using WriteCache = void (*)(std::ostream&, const AnimatedBody&, const Animation&, const JobControl&);
+using WriteCache = void (*)(std::ostream&, const AnimatedBody&, const Animation&, const JobControl&,
+                            const std::string&);
 
 void write_caches(const fs::path& folder, const Animation& animation, const JobControl& control,
                   const char* extension, WriteCache write) {
@@ -263,8 +264,9 @@ void write_caches(const fs::path& folder, const Animation& animation, const JobC
                                                                 static_cast<double>(names.size()));
                               },
                               control.cancel};
-        AtomicFile cache(folder / (names[b] + extension));
-        write(cache.stream(), body, animation, part);
+        const fs::path path = folder / (names[b] + extension);
+        AtomicFile cache(path);
+        write(cache.stream(), body, animation, part, shown_path(path));
         cache.commit();
     }
 }
