@@ -211,7 +211,7 @@ TEST_CASE("Frames that no speed of a stage can tell apart are refused, and slow 
         return io::read_usda(out.str(), "a.usda").seconds;
     };
     CHECK(rewritten(1e7)[1] == Approx(1e7));
-    CHECK_THROWS_WITH(rewritten(1e-300), Contains("USD: the unit is 0.001 m and a second has 1e+300 frames"));
+    CHECK_THROWS_WITH(rewritten(1e-300), Contains("USD: the unit is") && Contains("from 1e-9 to 1e9"));
 }
 
 TEST_CASE("Points that are blended or moved out of range are an error that names the file", "[io][fuzz]") {
