@@ -12,6 +12,7 @@
 #include "fascicle/io/storage_write.hpp"
 
 #include "io/formats/usda_read.hpp"
+#include "io/formats/usda_write.hpp"
 #include "io/osim_scene/osim_scene.hpp"
 
 #include <catch2/catch.hpp>
@@ -192,6 +193,39 @@ TEST_CASE("A stage whose scales or times are out of range is an error", "[io][fu
     CHECK_THROWS_WITH(stage("timeCodesPerSecond = 1e-320", "0: "), Contains("a.usda: timeCodesPerSecond is"));
     CHECK_THROWS_WITH(stage("timeCodesPerSecond = 0.5", "1e308: "),
                       Contains("a.usda: the times of its samples"));
+}
+
+TEST_CASE("Frames that no speed of a stage can tell apart are refused, and slow ones keep their times",
+          "[io][fuzz]") {
+    const auto rewritten = [](double seconds) {
+        Animation animation;
+        animation.name = "a";
+        animation.frames = {0, 1};
+        animation.seconds = {0, seconds};
+        AnimatedBody& body = animation.bodies.emplace_back();
+        body.triangles = {{0, 1, 2}};
+        body.rest = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
+        body.poses.resize(2);
+        std::ostringstream out;
+        io::write_usda(out, animation);
+        return io::read_usda(out.str(), "a.usda").seconds;
+    };
+    CHECK(rewritten(1e7)[1] == Approx(1e7));
+    CHECK_THROWS_WITH(rewritten(1e-300), Contains("USD: the unit is") && Contains("from 1e-9 to 1e9"));
+}
+
+TEST_CASE("Points that are blended or moved out of range are an error that names the file", "[io][fuzz]") {
+    const Animation far = io::read_usda("#usda 1.0\ndef BasisCurves \"c\" {\nint[] curveVertexCounts = [2]\n"
+                                        "point3f[] points.timeSamples = {0: [(0, 0, 0), (1e308, 0, 0)], "
+                                        "2: [(0, 0, 0), (-1e308, 0, 0)]}\n}\n"
+                                        "def BasisCurves \"d\" {\nint[] curveVertexCounts = [2]\n"
+                                        "point3f[] points.timeSamples = {1: [(0, 0, 0), (1, 0, 0)]}\n}\n",
+                                        "a.usda");
+    Points points;
+    REQUIRE(far.frame_count() == 3);
+    CHECK_NOTHROW(points_in_frame(far.bodies[0], 0, points));
+    CHECK_THROWS_WITH(points_in_frame(far.bodies[0], 1, points),
+                      Contains("a.usda: point 1 of a body is moved"));
 }
 
 TEST_CASE("A preset whose name is no UTF-8 can be written", "[io][fuzz]") {

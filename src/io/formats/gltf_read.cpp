@@ -2,6 +2,7 @@
 
 #include "fascicle/base/error.hpp"
 #include "io/formats/gltf_motion.hpp"
+#include "io/formats/mesh_bodies.hpp"
 #include "io/formats/text_scanner.hpp"
 
 #include <algorithm>
@@ -181,6 +182,7 @@ void GlbReader::add_node(int node, Animation& animation) {
             if (!place.matrix().isIdentity(0))
                 for (Vec3& p : points)
                     p = place * p;
+            want_finite(points, file);
         };
         at(0, body.rest);
         body.points = at;

@@ -55,6 +55,13 @@ std::vector<AnimatedBody> bodies_of_mesh(const MeshData& data, BodyKind surface)
     return bodies;
 }
 
+void want_finite(const Points& points, const std::string& file) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (!points[i].allFinite())
+            throw_error(file, "point " + std::to_string(i) + " of a body is moved out of all range",
+                        "finite places");
+}
+
 float to_float(double value, const std::string& where) {
     constexpr double most = std::numeric_limits<float>::max();
     if (!(std::abs(value) <= most))

@@ -9,6 +9,9 @@ namespace fascicle::io {
 /// it uses, so that what is read and written again does not grow. Empty when there are neither.
 std::vector<AnimatedBody> bodies_of_mesh(const MeshData& data, BodyKind surface);
 
+/// Error naming the file when a point that was moved or blended is not finite.
+void want_finite(const Points& points, const std::string& file);
+
 /// Error naming `where` when no float holds it.
 float to_float(double value, const std::string& where);
 

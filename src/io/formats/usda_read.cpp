@@ -2,6 +2,7 @@
 
 #include "fascicle/base/error.hpp"
 #include "fascicle/base/param_table.hpp"
+#include "io/formats/mesh_bodies.hpp"
 #include "io/formats/usda_parser.hpp"
 
 #include <Eigen/Geometry>
@@ -136,9 +137,8 @@ double UsdaReader::number_of(const char* key, double otherwise) const {
 
 /// The same of one that others are multiplied with or divided by.
 double UsdaReader::scale_of(const char* key, double otherwise) const {
-    constexpr double most = 1e9;
     const double value = number_of(key, otherwise);
-    if (value > most || value < 1 / most)
+    if (!is_usda_scale(value))
         throw_error(file_, std::string(key) + " is " + number_text(value), "a number from 1e-9 to 1e9");
     return value;
 }
@@ -262,6 +262,7 @@ void UsdaReader::add_body(const UsdaPrim& prim, const Chain& chain) {
         if (!place.matrix().isIdentity(0))
             for (Vec3& p : points)
                 p = place * p;
+        want_finite(points, file);
     };
     animation_.bodies.push_back(std::move(body));
 }

@@ -6,6 +6,7 @@
 #include "fascicle/geometry/bounding_box.hpp"
 #include "fascicle/geometry/vertex_normals.hpp"
 #include "io/formats/mesh_bodies.hpp"
+#include "io/formats/usda_read.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -248,6 +249,11 @@ void UsdaWriter::write() {
                   (animation_.seconds.back() - animation_.seconds.front())
             : 24;
     const double metres = animation_.millimetres_per_unit > 0 ? animation_.millimetres_per_unit / 1000 : 1;
+    if (!is_usda_scale(metres) || !is_usda_scale(speed))
+        throw_error("USD",
+                    "the unit is " + number_text(metres) + " m and a second has " + number_text(speed) +
+                        " frames",
+                    "numbers from 1e-9 to 1e9");
     const std::string root = unique_identifiers({animation_.name})[0];
     out_ << "#usda 1.0\n(\n    defaultPrim = \"" << root << "\"\n";
     out_ << "    doc = " << quoted(std::string("Written by fascicle ") + program_version()) << "\n";
@@ -256,8 +262,9 @@ void UsdaWriter::write() {
     out_ << "    metersPerUnit = " << number_text(metres) << "\n";
     if (animation_.frame_count() > 0)
         out_ << "    startTimeCode = " << animation_.frames.front() << "\n";
-    // Rounded to 12 digits: 1 / 0.01 s would come out as 99.99999999999999.
-    out_ << "    timeCodesPerSecond = " << number_text(std::round(speed * 1e6) / 1e6) << "\n";
+    // Rounded: 1 / 0.01 s would come out as 99.99999999999999.
+    out_ << "    timeCodesPerSecond = " << number_text(speed < 1 ? speed : std::round(speed * 1e6) / 1e6)
+         << "\n";
     out_ << "    upAxis = \"" << (animation_.up == 'y' ? 'Y' : 'Z') << "\"\n)\n\n";
     out_ << "def Xform \"" << root << "\" (\n    displayName = " << quoted(animation_.name);
     if (!animation_.provenance.empty())
