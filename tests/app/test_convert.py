@@ -75,7 +75,7 @@ class ConvertTest(ProgramTest):
                 self.assertIn("a [2Jb" if source == "a.vtk" else "caf", result.stdout)
             if source == "a.vtk":
                 (self.folder / "b.vtk").write_bytes("\n".join(lines).replace("a\x1b[2Jb", "caf\xe9").encode("latin-1") + b"\n")
-        self.check_done("convert", "b.vtk", "c.vtp")
+        self.assertEqual(self.run_program("convert", "b.vtk", "c.vtp", encoding="latin-1").returncode, 0)
         self.assertIn("caf\ufffd", (self.folder / "c.vtp").read_bytes().decode("utf-8"))
 
     def test_units_only_when_asked(self):

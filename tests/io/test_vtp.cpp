@@ -2,10 +2,10 @@
 #include "fascicle/base/text.hpp"
 #include "fascicle/io/files.hpp"
 #include "io/formats/vtp.hpp"
+#include "support/growth.hpp"
 #include "support/shapes.hpp"
 
 #include <catch2/catch.hpp>
-#include <chrono>
 #include <sstream>
 
 using namespace fascicle;
@@ -113,23 +113,24 @@ TEST_CASE("VTP: an array that not every piece has is passed over, not cut short"
 
 TEST_CASE("VTP: pieces of very many arrays are put together quickly, arrays of one name in their order",
           "[io][vtp]") {
-    std::string data;
-    constexpr int arrays = 40000;
-    for (int i = 0; i < arrays; ++i)
-        data += array("a" + std::to_string(i), std::to_string(i));
-    const std::string one = "<Points>" + array("p", "0 0 0") + "</Points><PointData>" + array("twice", "1") +
-                            array("twice", "2") + data + "</PointData>";
-    const std::string counts = "NumberOfPoints=\"1\"";
-    const auto start = std::chrono::steady_clock::now();
-    const MeshData found = read(file(counts, one + "</Piece><Piece " + counts + ">" + one));
-    CHECK(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() <
-          5); // pairwise: minutes
-    REQUIRE(found.point_arrays.size() == arrays + 2);
+    const auto pieces = [](int arrays) {
+        std::string data;
+        for (int i = 0; i < arrays; ++i)
+            data += array("a" + std::to_string(i), std::to_string(i));
+        const std::string one = "<Points>" + array("p", "0 0 0") + "</Points><PointData>" +
+                                array("twice", "1") + array("twice", "2") + data + "</PointData>";
+        const std::string counts = "NumberOfPoints=\"1\"";
+        return file(counts, one + "</Piece><Piece " + counts + ">" + one);
+    };
+    const MeshData found = read(pieces(3));
+    REQUIRE(found.point_arrays.size() == 5);
     CHECK(found.point_arrays[0].values == std::vector<double>{1, 1});
     CHECK(found.point_arrays[1].values == std::vector<double>{2, 2});
     CHECK(found.point_arrays[2].values == std::vector<double>{0, 0});
-    CHECK(found.point_arrays.back().values == std::vector<double>{arrays - 1, arrays - 1});
+    CHECK(found.point_arrays[4].values == std::vector<double>{2, 2});
     CHECK(found.notes.empty());
+    CHECK(growth(10000, [&](int n) { CHECK(read(pieces(n)).point_arrays.size() == std::size_t(n) + 2); }) <
+          9);
 }
 
 TEST_CASE("VTP: names of arrays that are no text of XML are written as text", "[io][vtp]") {
