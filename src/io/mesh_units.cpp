@@ -22,10 +22,6 @@ std::string rounded(double value) {
     return text;
 }
 
-std::string sized(const UnitSource& file) {
-    return file.file + " (diagonal " + rounded(file.diagonal) + ")";
-}
-
 /// Those without a unit whose size does not fit that of the largest one, in whatever unit the scene is.
 std::vector<const UnitSource*> misfits(const std::vector<const UnitSource*>& unstated,
                                        const UnitSource*& largest) {
@@ -44,12 +40,13 @@ void compare_sizes(const std::vector<const UnitSource*>& unstated, bool wanted,
                    std::vector<std::string>& notes) {
     const UnitSource* largest = nullptr;
     for (const UnitSource* small : misfits(unstated, largest)) {
-        const std::string what =
-            sized(*small) + " seems to be in metres, " + sized(*largest) + " in millimetres";
+        const std::string what = "seems to be in metres (diagonal " + rounded(small->diagonal) + "), " +
+                                 largest->file + " in millimetres (diagonal " + rounded(largest->diagonal) +
+                                 ')';
         if (!wanted)
             throw_error(small->file, what,
                         "one unit: fascicle convert IN OUT --units mm, or --units here when all are in one");
-        notes.push_back(what + "; both are taken as --units says");
+        notes.push_back(small->file + ": " + what + "; both are taken as --units says");
     }
 }
 

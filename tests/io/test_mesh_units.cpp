@@ -144,7 +144,8 @@ TEST_CASE("Files that state their unit are converted, those whose sizes disagree
     CHECK(has(choice.notes, "mm.glb: says metres, which its size does not fit (diagonal 412)"));
 
     CHECK_THROWS_WITH(units({source("femur.stl", 0.45), source("muscle.stl", 300)}, 300),
-                      Contains("femur.stl (diagonal 0.45)") && Contains("muscle.stl (diagonal 300)") &&
+                      Contains("femur.stl: seems to be in metres (diagonal 0.45), muscle.stl in millimetres "
+                               "(diagonal 300)") &&
                           Contains("convert IN OUT --units mm"));
     choice = units({source("femur.stl", 0.45), source("muscle.stl", 300)}, 300, LengthUnit::millimetre);
     CHECK(choice.factors == std::vector<double>{1, 1});
