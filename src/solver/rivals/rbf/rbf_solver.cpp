@@ -155,19 +155,24 @@ void RbfSolver::push_base() {
     }
 }
 
-/// Of each vertex that the field would put too near to a solid: where it is carried from where contact left it, put outside. Not the
-/// nearest place outside of the solid, which is on any side of it: the surface would let a bone through as a sheet does a nail.
+/// Of each vertex that the field would put too near to a solid: where its way there, straight from where it is carried, meets the solid.
+/// Not the nearest place outside, which may be on any side: the surface would let a bone through as a sheet does a nail.
 void RbfSolver::find_targets() {
     parallel_for(problem().threads, vertices_.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             depth_[k] = 0.0;
             if (nearest_solid(places_[k], solids()).value >= (1.0 - slack_share) * contact().offset)
                 continue;
-            const Vec3& from = before()[static_cast<std::size_t>(vertices_[k])];
-            targets_[k] = x()[static_cast<std::size_t>(vertices_[k])];
-            const ContactResult result = resolve_contact(targets_[k], from, solids(), contact());
+            const auto v = static_cast<std::size_t>(vertices_[k]);
+            double share = 1.0;
+            for (const ContactSolid& solid : solids())
+                share = std::min(share, free_share(*solid.grid, solid.now.apply_inverse(x()[v]),
+                                                   solid.now.apply_inverse(places_[k]), contact().least,
+                                                   contact().offset, solid.slope));
+            targets_[k] = x()[v] + share * (places_[k] - x()[v]);
+            const ContactResult result = resolve_contact(targets_[k], before()[v], solids(), contact());
             if (!result.outside || nearest_solid(targets_[k], solids()).value < contact().least)
-                clamp_motion(targets_[k], from, solids(), contact());
+                clamp_motion(targets_[k], before()[v], solids(), contact());
             depth_[k] = (targets_[k] - places_[k]).norm();
         }
     });
