@@ -2,6 +2,7 @@
 #include "fascicle/geometry/volume.hpp"
 #include "support/rival_scenes.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 using namespace fascicle;
@@ -94,21 +95,21 @@ TEST_CASE("rbf: a free ball is bent by plates, keeps its volume and comes back",
         CHECK(p.z() < 10.3 - 5.0);
     }
     CHECK(signed_volume(solver->positions(), problem.surface->triangles) ==
-          Approx(signed_volume(problem.surface->positions, problem.surface->triangles)).epsilon(0.02));
+          Approx(signed_volume(problem.surface->positions, problem.surface->triangles)).epsilon(1e-3));
     CHECK(solver->report().non_finite == 0);
-    for (int f = 9; f >= 0; --f) {
+    for (int f = 9; f >= -20; --f) {
         std::vector<Pose> from(2), to(2);
-        from[1].translation.z() = -0.5 * (f + 1);
-        to[1].translation.z() = -0.5 * f;
+        from[1].translation.z() = -0.5 * std::max(f + 1, 0);
+        to[1].translation.z() = -0.5 * std::max(f, 0);
         solver->advance(from, to);
     }
-    // The shape is that of rest; where it stays is where the lower plate left it.
+    // The shape is that of rest, wherever the plates left it.
     double lowest = 100, highest = -100;
     for (const Vec3& p : solver->positions()) {
         lowest = std::min(lowest, p.z());
         highest = std::max(highest, p.z());
     }
-    CHECK(highest - lowest == Approx(20).margin(0.2));
+    CHECK(highest - lowest == Approx(20).margin(0.1));
 }
 
 TEST_CASE("rbf: contact centres bend the field before the step after must", "[solver][rbf]") {
@@ -131,19 +132,16 @@ TEST_CASE("rbf: contact centres bend the field before the step after must", "[so
         return std::make_pair(std::move(solver), problem.surface);
     };
     const auto with = run(200, 1), without = run(0, 1);
-    const MeshTopology topology(with.second->vertex_count(), with.second->triangles);
-    const auto longest = [&](const SoftBodySolver& solver) {
-        double result = 0;
-        for (const Edge& edge : topology.edges())
-            result = std::max(
-                result,
-                (solver.positions()[std::size_t(edge.a)] - solver.positions()[std::size_t(edge.b)]).norm() /
-                    (with.second->positions[std::size_t(edge.a)] -
-                     with.second->positions[std::size_t(edge.b)])
-                        .norm());
-        return result;
-    };
-    CHECK(longest(*with.first) < 0.9 * longest(*without.first));
+    // Beside the plate, where it touches nothing: only the field knows of it.
+    int beside = 0;
+    const Points& rest = with.second->positions;
+    for (std::size_t i = 0; i < rest.size(); ++i)
+        if (rest[i].x() > 5 && rest[i].x() < 7 && rest[i].z() > -7 && rest[i].z() < 7) {
+            ++beside;
+            CHECK(without.first->positions()[i] == rest[i]);
+            CHECK(with.first->positions()[i].x() < rest[i].x() - 0.05);
+        }
+    CHECK(beside > 10);
     for (const Vec3& p : with.first->positions())
         CHECK_FALSE((p.x() > 7.5 + 1e-9 && std::abs(p.z()) < 7.5));
     CHECK(run(200, 3).first->positions() == with.first->positions());

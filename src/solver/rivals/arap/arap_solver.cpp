@@ -5,6 +5,8 @@
 #include "solver/rivals/arap/cotangent_weights.hpp"
 #include "solver/rivals/rival_body.hpp"
 
+#include <cmath>
+
 namespace fascicle::solver {
 
 namespace {

@@ -8,6 +8,7 @@
 #include "solver/rivals/rival_body.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fascicle::solver {
 
@@ -17,6 +18,11 @@ namespace {
 constexpr int contact_rounds = 2;
 /// A vertex that lacks less of the contact offset than this share is left to the contact step.
 constexpr double slack_share = 0.05;
+/// Steps of a body that nothing holds out of solids; a cap goes half of its depth in each.
+constexpr int push_rounds = 6;
+/// Volume and contact take turns at most so often, until the volume is right to this share.
+constexpr int settling_rounds = 8;
+constexpr double enough_volume = 1e-5;
 
 class RbfSolver final : public RivalBody {
 public:
@@ -28,16 +34,20 @@ public:
         return true;
     }
     std::size_t state_bytes() const override {
-        return RivalBody::state_bytes() + attachments_.bytes() + contact_field_.bytes() +
-               bytes_of(vertices_, rest_, base_, places_, targets_, depth_, chosen_);
+        return RivalBody::state_bytes() + attachments_.bytes() + contact_field_.bytes() + volume_.bytes() +
+               bytes_of(normals_, vertices_, rest_, base_, places_, targets_, depth_, chosen_);
     }
 
 private:
     void deform(double seconds) override;
+    void push_base();
     void find_targets();
     bool choose_centres(std::size_t most);
     void bend();
+    void settle();
 
+    VolumeConstraint volume_;
+    Points normals_;            ///< V: of contacts while settling
     std::vector<int> vertices_; ///< the free ones, F
     Points rest_;               ///< F
     RbfAttachments attachments_;
@@ -63,7 +73,9 @@ RbfKernel kernel_of(const SoftBodyProblem& problem) {
 }
 
 RbfSolver::RbfSolver(const SoftBodyProblem& problem)
-    : RivalBody(problem), vertices_(free_vertices(problem, inverse_mass())),
+    : RivalBody(problem), volume_(rest(), problem.surface->triangles, param("solver.pressure"),
+                                  problem.parameters.get_choice("solver.volume") == "kept"),
+      normals_(rest().size(), Vec3::Zero()), vertices_(free_vertices(problem, inverse_mass())),
       attachments_(problem, vertices_, problem.parameters.get_int("rbf.centres"), kernel_of(problem)),
       most_contacts_(problem.parameters.get_int("rbf.contacts")), depth_(vertices_.size(), 0.0) {
     for (const int v : vertices_)
@@ -86,6 +98,7 @@ void RbfSolver::deform(double) {
         base_ = rest_;
         for (Vec3& p : base_)
             p = motion.apply(p);
+        push_base();
     }
     places_ = base_;
     chosen_.clear();
@@ -98,20 +111,68 @@ void RbfSolver::deform(double) {
     }
     for (std::size_t k = 0; k < vertices_.size(); ++k)
         x()[static_cast<std::size_t>(vertices_[k])] = places_[k];
+    settle();
 }
 
-/// Where the contact step would put each vertex that is too near to a solid.
+/// Every pass starts from the field, which may be far from the wanted volume, so one step of volume and contact after the other is not
+/// enough: what contact takes away must be made up for elsewhere.
+void RbfSolver::settle() {
+    std::fill(normals_.begin(), normals_.end(), Vec3::Zero());
+    for (int round = 0; round < settling_rounds && volume_.kept(); ++round) {
+        const double off = volume_.evaluate(x()) - volume_.wanted_volume();
+        if (std::abs(off) <= enough_volume * std::abs(volume_.rest_volume()))
+            return;
+        volume_.project(x(), inverse_mass(), normals_);
+        if (solids().empty())
+            continue;
+        parallel_for(problem().threads, vertices_.size(), 512, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k) {
+                const auto v = static_cast<std::size_t>(vertices_[k]);
+                const ContactResult result = resolve_contact(x()[v], before()[v], solids(), contact());
+                if (result.touched)
+                    normals_[v] = result.normal;
+            }
+        });
+    }
+}
+
+/// Solids on one side push the whole body; those on two sides, against each other, leave it where it is.
+void RbfSolver::push_base() {
+    for (int round = 0; round < push_rounds && !solids().empty(); ++round) {
+        places_ = base_;
+        find_targets();
+        Vec3 push = Vec3::Zero();
+        int pushed = 0;
+        for (std::size_t k = 0; k < base_.size(); ++k)
+            if (depth_[k] > 0.0) {
+                push += targets_[k] - base_[k];
+                ++pushed;
+            }
+        if (pushed == 0)
+            return;
+        for (Vec3& p : base_)
+            p += push / pushed;
+    }
+}
+
+/// Of each vertex that the field would put too near to a solid: where its way there, straight from where it is carried, meets the solid.
+/// Not the nearest place outside, which may be on any side: the surface would let a bone through as a sheet does a nail.
 void RbfSolver::find_targets() {
     parallel_for(problem().threads, vertices_.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             depth_[k] = 0.0;
             if (nearest_solid(places_[k], solids()).value >= (1.0 - slack_share) * contact().offset)
                 continue;
-            const Vec3& from = before()[static_cast<std::size_t>(vertices_[k])];
-            targets_[k] = places_[k];
-            const ContactResult result = resolve_contact(targets_[k], from, solids(), contact());
+            const auto v = static_cast<std::size_t>(vertices_[k]);
+            double share = 1.0;
+            for (const ContactSolid& solid : solids())
+                share = std::min(share, free_share(*solid.grid, solid.now.apply_inverse(x()[v]),
+                                                   solid.now.apply_inverse(places_[k]), contact().least,
+                                                   contact().offset, solid.slope));
+            targets_[k] = x()[v] + share * (places_[k] - x()[v]);
+            const ContactResult result = resolve_contact(targets_[k], before()[v], solids(), contact());
             if (!result.outside || nearest_solid(targets_[k], solids()).value < contact().least)
-                clamp_motion(targets_[k], from, solids(), contact());
+                clamp_motion(targets_[k], before()[v], solids(), contact());
             depth_[k] = (targets_[k] - places_[k]).norm();
         }
     });
