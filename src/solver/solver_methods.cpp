@@ -293,7 +293,7 @@ const std::vector<SolverMethod>& solver_methods() {
            10000,
            30,
            {},
-           "Stiffness of the tissue at small strain, against its mass (1060 kg/m3) and the fibres' "
+           "Stiffness of the tissue at small strain, against its mass (1056 kg/m3) and the fibres' "
            "stiffness.",
            "methods notes, section 6.4: 20 to 60 kPa",
            true},

@@ -204,6 +204,39 @@ TEST_CASE("fem and xpbd-tet: active fibres shorten a rod that nothing holds at o
     }
 }
 
+TEST_CASE("fem and xpbd-tet: a scene in another unit deforms as the same one in millimetres",
+          "[solver][tet]") {
+    for (const char* method : {"fem", "xpbd-tet"}) {
+        SoftBodyProblem problem = held_rod(method);
+        problem.parameters.set("fem.spacing_mm", 7);
+        const auto millimetres = solver_of(problem);
+        auto surface = std::make_shared<TriMesh>(*problem.surface);
+        for (Vec3& p : surface->positions)
+            p /= 1024;
+        problem.surface = surface;
+        problem.unit_mm = 1024;
+        DistanceGridOptions options;
+        options.spacing = 2.0 / 1024;
+        options.saturation = 8.0 / 1024;
+        for (SolidBody& solid : problem.solids) {
+            auto mesh = std::make_shared<TriMesh>(*solid.mesh);
+            for (Vec3& p : mesh->positions)
+                p /= 1024;
+            solid = {mesh, std::make_shared<DistanceGrid>(*mesh, options)};
+        }
+        const auto other = solver_of(problem);
+        Pose pose;
+        pose.translation = Vec3(3, 0, 5);
+        run(*millimetres, std::vector<Pose>(2), {Pose{}, pose}, 2);
+        pose.translation /= 1024;
+        run(*other, std::vector<Pose>(2), {Pose{}, pose}, 2);
+        Points scaled = other->positions();
+        for (Vec3& p : scaled)
+            p *= 1024;
+        CHECK(largest(scaled, millimetres->positions()) < 1e-6);
+    }
+}
+
 TEST_CASE("fem and xpbd-tet: the same bits for any number of threads", "[solver][tet]") {
     for (const char* method : {"fem", "xpbd-tet"}) {
         std::vector<Points> results;

@@ -108,7 +108,7 @@ TEST_CASE("The force of a tetrahedron is the derivative of its energy, inverted 
     }
 }
 
-TEST_CASE("The tangent of a tetrahedron is the derivative of its force; the definite one has no negative "
+TEST_CASE("The tangent of a tetrahedron is the derivative of its force, and the definite one has no negative "
           "eigenvalue",
           "[solver][tet]") {
     const TetMaterial material = material_from(30, 0.47, 50);

@@ -285,9 +285,6 @@ const StaticsReport& TetStatics::solve(Points& x) {
         if (!moved)
             break;
     }
-    if (getenv("TETDBG"))
-        fprintf(stderr, "tets %zu nodes %zu steps %d inner %d factors %d res %.2e L %ld\n", tets_.size(),
-                x.size(), report_.steps, report_.inner, report_.factors, report_.residual,
     return report_;
 }
 
