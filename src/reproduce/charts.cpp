@@ -187,7 +187,8 @@ std::optional<Plot> arm_plot(const ExperimentResult& result) {
     plot.chart.unit = "mm";
     plot.chart.x_label = "flexion [deg]";
     plot.chart.x_range = view::ChartSpan{0, 60};
-    if (const std::vector<BandPoint>& band = arm_band(result.experiment->muscle); !band.empty()) {
+    if (const std::vector<BandPoint>& band = arm_band(result.experiment->muscle);
+        result.real && !band.empty()) {
         ChartCurve curve;
         curve.name = "literature, digitised";
         curve.colour = rgb(band_colour);
@@ -235,7 +236,7 @@ std::optional<Plot> arm_plot(const ExperimentResult& result) {
     if (!any)
         return std::nullopt;
     for (const MeasuredArms& measured : measured_arms())
-        if (result.experiment->muscle == measured.muscle)
+        if (result.real && result.experiment->muscle == measured.muscle)
             plot.chart.curves.push_back(
                 dots(measured.source, measured.angle_deg, measured.arm_mm, mark_colour));
     return plot;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 namespace fascicle::reproduce {
 
@@ -17,9 +18,9 @@ using output::short_number;
 /// A quantity whose size over the run is compared between methods: less is better.
 struct Measure {
     const char* about; ///< key of metric_table()
-    int figure_group;  ///< place in the paper's order of figures: 0 volume, 1 edges, 2 dihedrals
-    double from;       ///< what it is without deformation
-    double factor;     ///< to the unit that is told
+    int figure_group; ///< place in the paper's order of plots: 0 volume, 1 edges, 2 dihedrals; -1 none, -2 its pictures
+    double from;   ///< what it is without deformation
+    double factor; ///< to the unit that is told
     const char* unit;
     const char* what;  ///< "volume departs from rest by at most"
     double none_below; ///< in the told unit
@@ -32,7 +33,7 @@ const Measure measures[] = {
     {"dihedral_change_mean_rad", 2, 0, 180 / std::numbers::pi, "\xC2\xB0",
      "ends with a mean dihedral change of", 0.5, true},
     {"penetrating_vertices", -1, 0, 1, "", "has at most this many vertices inside bones:", 0.5, false},
-    {"displacement_mean_mm", -1, 0, 1, " mm", "ends away from its rest shape by, in the mean,", 0.1, true},
+    {"displacement_mean_mm", -2, 0, 1, " mm", "ends away from its rest shape by, in the mean,", 0.1, true},
 };
 
 double size_of(const Measure& m, const RunData& run) {
@@ -42,8 +43,10 @@ double size_of(const Measure& m, const RunData& run) {
     return m.factor * (m.at_end ? std::abs(values.back() - m.from) : farthest(values, m.from));
 }
 
-/// The paper has a figure of volume, of edges and of dihedrals for box, iliacus and gluteus maximus, in this order: 11 to 19.
+/// The paper plots volume, edges and dihedrals of box, iliacus and gluteus maximus, in this order: figures 11 to 19; 1 to 8 are pictures.
 std::string figure_of(const Experiment& e, int group) {
+    if (group == -2)
+        return picture_figures(e);
     const int muscle = e.key == "squish-box"        ? 0
                        : e.key == "iliacus"         ? 1
                        : e.key == "gluteus_maximus" ? 2
@@ -128,6 +131,32 @@ void judge_fibres(ExperimentResult& result, const MethodRun& own) {
     result.findings.push_back(std::move(finding));
 }
 
+/// Figures 9 and 10: the decompositions at rest.
+void tell_decomposition(ExperimentResult& result, const MethodRun& own) {
+    const Experiment& e = *result.experiment;
+    const LineNumbers& fibres = own.run.fibres;
+    if (fibres.count() == 0)
+        return;
+    std::vector<double> lengths;
+    for (std::size_t f = 0; f < fibres.count(); ++f)
+        lengths.push_back(fibres.length(0, f));
+    const double mean = span_of(lengths).mean;
+    double squares = 0;
+    for (const double length : lengths)
+        squares += (length - mean) * (length - mean);
+    Finding finding;
+    finding.figure = e.fibres == "chmd" ? "10" : e.key == "gluteus_maximus" ? "9" : "";
+    finding.about = "fibre_rest_length";
+    finding.text = std::to_string(fibres.count()) + " fibres by " + e.fibres + ", at rest " +
+                   short_number(mean) + " mm long in the mean (sd " +
+                   short_number(std::sqrt(squares / static_cast<double>(lengths.size())), 2) + ")";
+    if (const PublishedRest* rest = published_rest(e.muscle); rest != nullptr && result.real)
+        finding.text += "; published, with outlines of their own: " + short_number(rest->mean_mm) + " (sd " +
+                        short_number(rest->sd_mm, 2) + ")";
+    finding.text += ".";
+    result.findings.push_back(std::move(finding));
+}
+
 void judge_arms(ExperimentResult& result) {
     std::string text;
     double own = std::nan(""), least = std::nan("");
@@ -146,8 +175,7 @@ void judge_arms(ExperimentResult& result) {
     finding.figure = "22";
     finding.about = "moment_arm_mm";
     finding.verdict = own >= 99.5 ? Verdict::kept : own < 50 ? Verdict::worse : Verdict::shown;
-    finding.text = "Poses whose mean moment arm is inside the digitised literature's bounds: " + text +
-                   (result.real ? "." : " (a stand-in: its shape is not that of the published muscle).");
+    finding.text = "Poses whose mean moment arm is inside the digitised literature's bounds: " + text + ".";
     result.findings.push_back(std::move(finding));
 }
 
@@ -182,6 +210,15 @@ void judge_literal(ExperimentResult& result, const MethodRun& run) {
 
 } // namespace
 
+std::string picture_figures(const Experiment& e) {
+    std::string text;
+    std::istringstream parts(e.figures);
+    for (std::string part; std::getline(parts, part, ',');)
+        if (const int figure = std::stoi(part); figure <= 8)
+            text += (text.empty() ? "" : ", ") + std::to_string(figure);
+    return text;
+}
+
 Verdict judge(double ours, double theirs, double none_below) {
     if (!std::isfinite(ours) || !std::isfinite(theirs))
         return Verdict::shown;
@@ -205,6 +242,7 @@ void find_out(ExperimentResult& result) {
         return;
     if (published != nullptr || result.runs.size() > 1)
         judge_measures(result, *own, published);
+    tell_decomposition(result, *own);
     judge_fibres(result, *own);
     judge_arms(result);
 }

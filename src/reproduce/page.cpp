@@ -149,6 +149,13 @@ private:
         return nullptr;
     }
 
+    void sentence(const ExperimentResult& result, const std::string& about) {
+        if (const Finding* finding = finding_of(result, about))
+            html_ += "<p>" +
+                     (finding->figure.empty() ? "" : "<b>Fig. " + xml_escaped(finding->figure) + "</b> ") +
+                     badge(finding->verdict) + " " + xml_escaped(finding->text) + "</p>\n";
+    }
+
     void plots(const std::vector<Plot>& list, const ExperimentResult* result) {
         if (list.empty())
             return;
@@ -173,6 +180,8 @@ private:
             if (note.starts_with("not in the data"))
                 html_ += " " + xml_escaped(note) + ".";
         html_ += "</p>\n";
+        sentence(result, "displacement_mean_mm");
+        sentence(result, "fibre_rest_length");
         for (const MethodRun& run : result.runs) {
             if (!run.done()) {
                 html_ += "<p class=\"alarm\">" + xml_escaped(run.method + ": " + run.failure) + "</p>\n";

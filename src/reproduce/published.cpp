@@ -108,4 +108,13 @@ const std::vector<PublishedRatio>& published_ratios() {
     return rows;
 }
 
+const PublishedRest* published_rest(const std::string& muscle) {
+    static const PublishedRest rows[] = {
+        {"gluteus_maximus", 220, 23}, {"gluteus_medius", 132, 17}, {"iliacus", 182, 24}};
+    for (const PublishedRest& row : rows)
+        if (muscle == row.muscle)
+            return &row;
+    return nullptr;
+}
+
 } // namespace fascicle::reproduce

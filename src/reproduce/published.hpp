@@ -54,4 +54,11 @@ struct PublishedRatio {
 };
 const std::vector<PublishedRatio>& published_ratios();
 
+/// Mean fibre length at 0 degrees and its standard deviation (methods.md 8.5, 100 fibres). Null for a muscle without.
+struct PublishedRest {
+    const char* muscle;
+    double mean_mm, sd_mm;
+};
+const PublishedRest* published_rest(const std::string& muscle);
+
 } // namespace fascicle::reproduce

@@ -160,7 +160,7 @@ Results reproduce(const ReproduceOptions& options, const JobControl& control) {
         if (!wanted && !measured)
             continue;
         if (control.report)
-            control.report("reading " + e.key, 0);
+            control.report("reading", 0);
         if (control.cancelled())
             throw Cancelled();
         ExperimentScene scene = make_experiment_scene(e, data, options.threads);

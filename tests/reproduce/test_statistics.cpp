@@ -14,13 +14,13 @@ using namespace fascicle;
 using namespace fascicle::reproduce;
 
 namespace {
-const double nan = std::numeric_limits<double>::quiet_NaN();
+const double none = std::numeric_limits<double>::quiet_NaN();
 }
 
 TEST_CASE("reproduce: equal values share their ranks", "[reproduce][unit]") {
     CHECK(ranks(std::vector<double>{10, 30, 20, 30, 30}) == std::vector<double>{1, 4, 2, 4, 4});
     CHECK(ranks(std::vector<double>{}).empty());
-    const std::vector<double> with_gap = ranks(std::vector<double>{5, nan, 1});
+    const std::vector<double> with_gap = ranks(std::vector<double>{5, none, 1});
     CHECK(with_gap[0] == 2);
     CHECK(std::isnan(with_gap[1]));
     CHECK(with_gap[2] == 1);
@@ -45,8 +45,8 @@ TEST_CASE("reproduce: rank correlation of known lists", "[reproduce][unit]") {
 TEST_CASE("reproduce: rank correlation without an answer is not a number", "[reproduce][unit]") {
     CHECK(std::isnan(spearman(std::vector<double>{1}, std::vector<double>{2})));
     CHECK(std::isnan(spearman(std::vector<double>{1, 1, 1}, std::vector<double>{1, 2, 3})));
-    CHECK(std::isnan(spearman(std::vector<double>{1, nan}, std::vector<double>{2, 3})));
-    CHECK(spearman(std::vector<double>{1, nan, 2}, std::vector<double>{2, 3, 7}) == 1);
+    CHECK(std::isnan(spearman(std::vector<double>{1, none}, std::vector<double>{2, 3})));
+    CHECK(spearman(std::vector<double>{1, none, 2}, std::vector<double>{2, 3, 7}) == 1);
 }
 
 TEST_CASE("reproduce: speed rows are correlated by method and threads", "[reproduce][unit]") {
@@ -69,15 +69,15 @@ TEST_CASE("reproduce: the share of poses inside a band is linear between its poi
     CHECK(percent_inside(x, y, band) == Approx(75));
     CHECK(std::isnan(percent_inside(x, y, {})));
     CHECK(std::isnan(percent_inside(std::vector<double>{20}, std::vector<double>{1}, band)));
-    CHECK(percent_inside(std::vector<double>{0, 1}, std::vector<double>{nan, 2}, band) == 100);
+    CHECK(percent_inside(std::vector<double>{0, 1}, std::vector<double>{none, 2}, band) == 100);
 }
 
 TEST_CASE("reproduce: spans and distances leave out what is not finite", "[reproduce][unit]") {
-    const Span3 span = span_of(std::vector<double>{nan, 3, 1, 2});
+    const Span3 span = span_of(std::vector<double>{none, 3, 1, 2});
     CHECK((span.least == 1 && span.mean == 2 && span.greatest == 3));
     CHECK(std::isnan(span_of(std::vector<double>{}).mean));
-    CHECK(farthest(std::vector<double>{1.1, nan, 0.7}, 1) == Approx(0.3));
-    CHECK(std::isnan(farthest(std::vector<double>{nan}, 1)));
+    CHECK(farthest(std::vector<double>{1.1, none, 0.7}, 1) == Approx(0.3));
+    CHECK(std::isnan(farthest(std::vector<double>{none}, 1)));
     CHECK(interpolated(std::vector<double>{0, 2}, std::vector<double>{10, 30}, 0.5) == 15);
     CHECK(std::isnan(interpolated(std::vector<double>{0, 2}, std::vector<double>{10, 30}, 2.5)));
 }
@@ -87,7 +87,7 @@ TEST_CASE("reproduce: less is better by a tenth", "[reproduce][unit]") {
     CHECK(judge(0.95, 1, 0.01) == Verdict::kept);
     CHECK(judge(1.2, 1, 0.01) == Verdict::worse);
     CHECK(judge(0.009, 0.001, 0.01) == Verdict::kept);
-    CHECK(judge(nan, 1, 0.01) == Verdict::shown);
+    CHECK(judge(none, 1, 0.01) == Verdict::shown);
 }
 
 TEST_CASE("reproduce: distance of a shifted box is the shift at most", "[reproduce][unit]") {
@@ -101,7 +101,7 @@ TEST_CASE("reproduce: distance of a shifted box is the shift at most", "[reprodu
     const SurfaceDistance apart = surface_distance(box.positions, moved, box.triangles, 1000);
     CHECK(apart.mean == Approx(500));
     CHECK(apart.max == Approx(1000));
-    moved[0].x() = nan;
+    moved[0].x() = none;
     CHECK(std::isnan(surface_distance(box.positions, moved, box.triangles, 1).mean));
 }
 
@@ -139,7 +139,7 @@ TEST_CASE("reproduce: the way out ends where the angle is greatest", "[reproduce
     CHECK(poses.flexion_deg == std::vector<double>{0, 20, 40});
     LineNumbers lines;
     lines.names = {"glut_max1_r", "iliacus_r"};
-    lines.moment_arm_mm = {1, 3, 2, 4, nan, 5};
+    lines.moment_arm_mm = {1, 3, 2, 4, none, 5};
     CHECK(mean_arms(lines, poses) == std::vector<double>{2, 3, 5});
     CHECK(lines_of("iliacus", lines) == std::vector<std::size_t>{1});
     run.angle_deg.assign(6, 0.0);
