@@ -302,9 +302,9 @@ private:
             if (!v.failure.empty())
                 cells.push_back(xml_escaped(v.failure));
             for (std::size_t q = 0; q < v.values.size(); ++q) {
-                const double moved = v.values[q] - s.variants.front().values[q];
+                const double moved = v.values[q] - s.variants[v.base].values[q];
                 std::string text = cell(v.values[q], 5);
-                if (&v != &s.variants.front())
+                if (&v != &s.variants.front() && !s.variants[v.base].values.empty())
                     text += " (" + std::string(moved >= 0 ? "+" : "") + cell(moved, 2) + ")";
                 cells.push_back(std::move(text));
             }
@@ -325,10 +325,10 @@ private:
             return;
         }
         table();
-        row({"Parameter", "Quantity", "Variant", "Effect there", "Effect as given"}, "th", 3);
+        row({"Parameter", "Quantity", "Variant", "Effect there", "Effect at its base"}, "th", 3);
         for (const SensitivityResult::Dependence& d : s.dependences)
             row({"<code>" + xml_escaped(d.parameter) + "</code>", xml_escaped(d.quantity),
-                 xml_escaped(d.variant), cell(d.effect), cell(d.effect_as_given)},
+                 xml_escaped(d.variant), cell(d.effect), cell(d.effect_at_base)},
                 "td", 3);
         end_table();
     }

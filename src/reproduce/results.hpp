@@ -77,7 +77,8 @@ struct SensitivityVariant {
     std::size_t triangles = 0;
     int passes = 0;
     std::vector<double> values; ///< one per SensitivityResult::quantities, at the end of flexion
-    /// By parameter: change of every quantity when the parameter is halved.
+    std::size_t base = 0;       ///< place of the variant that this one is held against
+    /// By parameter: change of every quantity when the parameter is lowered by a fifth.
     std::vector<std::vector<double>> effects;
     std::string failure;
 };
@@ -89,7 +90,7 @@ struct SensitivityResult {
     std::vector<SensitivityVariant> variants; ///< the first is as given
     struct Dependence {
         std::string parameter, quantity, variant;
-        double effect = 0, effect_as_given = 0;
+        double effect = 0, effect_at_base = 0;
     };
     std::vector<Dependence> dependences;
     std::string missing; ///< why it was not made

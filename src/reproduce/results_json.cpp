@@ -105,10 +105,11 @@ Json sensitivity_json(const SensitivityResult& s) {
               {"data", s.real ? "public data" : "embedded scene"},
               {"method", s.method},
               {"quantities", s.quantities},
-              {"parameters_halved", s.parameters}};
+              {"parameters_lowered_by_a_fifth", s.parameters}};
     json["variants"] = Json::array();
     for (const SensitivityVariant& v : s.variants) {
         Json row{{"variant", v.key},
+                 {"held_against", s.variants[v.base].key},
                  {"triangles", v.triangles},
                  {"passes", v.passes},
                  {"values", numbers(v.values)}};
@@ -125,7 +126,7 @@ Json sensitivity_json(const SensitivityResult& s) {
                                        {"quantity", d.quantity},
                                        {"variant", d.variant},
                                        {"effect", number(d.effect)},
-                                       {"effect_as_given", number(d.effect_as_given)}});
+                                       {"effect_at_base", number(d.effect_at_base)}});
     return json;
 }
 

@@ -166,7 +166,7 @@ void write_published(const Results& results, const fs::path& folder) {
 }
 
 void write_sensitivity(const SensitivityResult& s, const fs::path& folder) {
-    std::vector<std::string> columns{"variant", "triangles", "passes", "halved_parameter"};
+    std::vector<std::string> columns{"variant", "triangles", "passes", "lowered_parameter"};
     columns.insert(columns.end(), s.quantities.begin(), s.quantities.end());
     Table table(folder / "sensitivity.csv", columns);
     for (const SensitivityVariant& v : s.variants) {

@@ -12,9 +12,9 @@ struct SensitivityOptions {
     bool with_parameters = true; ///< false: variants alone
 };
 
-/// The scene of an experiment with the program's own method: as given, with triangles halved and doubled (isotropic remeshing onto the same
-/// surface), with passes halved and doubled; each with the method's real `solver.` parameters halved one by one. A run that fails is
-/// told in its variant. Throws Cancelled.
+/// The scene of an experiment with the program's own method: as given, remeshed evenly, with triangles halved and doubled (isotropic remeshing onto
+/// the same surface), with passes halved and doubled; each with the method's real `solver.` parameters lowered by a fifth one by one. A run
+/// that fails is told in its variant. Throws Cancelled.
 SensitivityResult measure_sensitivity(const ExperimentScene& base, const std::string& experiment,
                                       const SensitivityOptions& options, const WorkFolder& work,
                                       const JobControl& control);

@@ -131,9 +131,11 @@ TEST_CASE("reproduce: a run that cannot be is an error and leaves no folder", "[
     const test::TempDir dir;
     const WorkFolder work(dir.path() / "work", "p", 1);
     Scene scene = small_scene();
-    TriMesh open = *scene.muscles[0].mesh;
-    open.triangles.pop_back();
-    scene.muscles[0].mesh = std::make_shared<TriMesh>(open);
+    // Every vertex is fixed: none is left to move.
+    Attachment all{AttachmentKind::origin, 0, {}};
+    for (int v = 0; v < scene.muscles[0].mesh->vertex_count(); ++v)
+        all.vertices.push_back(v);
+    scene.muscles[0].attachments = {all};
     const RunRequest request = request_of(scene);
     CHECK_THROWS_AS(work.ensure(request, {}), Error);
     CHECK_FALSE(fs::exists(work.folder_of(request)));
