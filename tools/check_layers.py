@@ -24,6 +24,7 @@ ALLOWED = {
     "render": ["base"],
     "view": ["base", "geometry", "motion", "anatomy", "scene", "metrics", "render", "solver/parameters.hpp"],
     "output": ["base", "geometry", "motion", "anatomy", "scene", "io", "metrics", "view", "render", "solver/parameters.hpp"],
+    "reproduce": CORE + ["simulation", "metrics", "io", "view", "render", "output"],
     "editor": ["base", "geometry", "motion", "anatomy", "scene", "document", "io", "simulation", "metrics",
                "view", "render", "output", "study", "solver/parameters.hpp"],
     "app": None,  # wiring: everything
@@ -33,7 +34,7 @@ ONLY_IN = [
     (re.compile(r"^(GLFW/|GL/)"), {"render", "editor", "app"}),
     (re.compile(r"^(imgui|misc/cpp/imgui)"), {"render", "editor", "app"}),
     (re.compile(r"^glm/"), {"view", "render", "editor", "app"}),
-    (re.compile(r"^nlohmann/"), {"io", "document", "bench", "app"}),
+    (re.compile(r"^nlohmann/"), {"io", "document", "bench", "reproduce", "app"}),
     (re.compile(r"^tbb/"), {"base"}),
     (re.compile(r"^(Bullet[A-Z]\w*/|LinearMath/|bt[A-Z])"), {"bench"}),
     (re.compile(r"^CLI/"), {"app"}),

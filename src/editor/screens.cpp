@@ -105,7 +105,7 @@ void repairing(ScreenStage& s) {
     s.run(C::repair_mesh);
     s.click("repair/by_edge");
     s.move({2, 2}); // no tooltip over it
-    s.frames(30); // until the choices have settled
+    s.frames(30);   // until the choices have settled
     s.wait();
     s.frames(4);
 }

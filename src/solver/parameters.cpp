@@ -1,6 +1,6 @@
 #include "fascicle/solver/parameters.hpp"
 
-#include "fascicle/base/error.hpp"
+#include "fascicle/solver/soft_body_solver.hpp"
 
 namespace fascicle {
 
@@ -9,20 +9,36 @@ namespace {
 const char* const paper = "Cervenka & Kohout 2020";
 const char* const xpbd_source = "Macklin, Mueller, Chentanez 2016";
 
+std::vector<std::string> method_names() {
+    std::vector<std::string> names;
+    for (const SolverMethod& method : solver_methods())
+        names.push_back(method.name);
+    return names;
+}
+
+/// "xpbd, TEXT; classic, TEXT" of all methods.
+template <class TextOf>
+std::string of_methods(const char* before, const char* between, TextOf text_of) {
+    std::string text;
+    for (const SolverMethod& method : solver_methods())
+        text += (text.empty() ? "" : between) + method.name + before + text_of(method);
+    return text;
+}
+
+std::string method_lines() {
+    return of_methods(": ", "; ", [](const SolverMethod& m) { return m.line; });
+}
+
+std::string method_passes() {
+    return of_methods(" ", ", ",
+                      [](const SolverMethod& m) { return std::to_string(m.passes) + " " + m.pass_means; });
+}
+
 std::vector<ParamRow> make_rows() {
     using K = ParamKind;
-    return {
-        {"solver.method",
-         "Method",
-         "1",
-         K::choice,
-         0,
-         1,
-         0,
-         {"xpbd", "classic"},
-         "xpbd: compliant constraints in substeps; classic: the published program, step by step.",
-         paper,
-         false},
+    std::vector<ParamRow> rows{
+        {"solver.method", "Method", "1", K::choice, 0, static_cast<double>(method_names().size() - 1), 0,
+         method_names(), method_lines() + ".", paper, false},
         {"solver.kernel",
          "Kernel",
          "1",
@@ -43,7 +59,7 @@ std::vector<ParamRow> make_rows() {
          200,
          0,
          {},
-         "Substeps (xpbd) or inner loops (classic) in a frame; 0 takes the method's own number, 10 or 3.",
+         "Substeps or passes in a frame; 0 takes the method's own number: " + method_passes() + ".",
          paper,
          false},
         {"solver.coarse",
@@ -237,18 +253,10 @@ std::vector<ParamRow> make_rows() {
          "Straight segments that each fibre is made of.",
          "Modenese & Kohout 2020",
          false},
-        {"classic.equations",
-         "Classic equations",
-         "1",
-         K::choice,
-         0,
-         1,
-         0,
-         {"published", "meant"},
-         "published: every quirk of the program; meant: the paper's equations with right signs and factors.",
-         paper,
-         false},
     };
+    for (const SolverMethod& method : solver_methods())
+        rows.insert(rows.end(), method.parameters.begin(), method.parameters.end());
+    return rows;
 }
 
 } // namespace
@@ -267,20 +275,25 @@ void set_method(ParamSet& parameters, const std::string& method) {
     parameters.set_text("solver.method", method);
     if (same) // keeps the defaults that a scene brings with it
         return;
-    // Defaults of the published program: edges rigid but for the fibres, bending 0.9, velocity factor 0.99 a
-    // millisecond (10.05 1/s).
-    if (method == "classic")
-        parameters.set_defaults(
-            {{"solver.stiffness", 1.0}, {"solver.bending", 0.9}, {"solver.damping", 10.050335853501450}});
-    else
-        parameters.set_defaults({});
+    parameters.set_defaults(find_solver_method(method)->defaults);
+}
+
+std::string unused_reason(const ParamSet& parameters, std::string_view key) {
+    const SolverMethod& method = *find_solver_method(parameters.get_choice("solver.method"));
+    for (const SolverMethod& other : solver_methods())
+        if (other.name != method.name && key.starts_with(other.name + "."))
+            return "only the method " + other.name + " uses it";
+    for (const auto& [unused, reason] : method.unused)
+        if (key == unused || (unused.ends_with('.') && key.starts_with(unused)))
+            return reason;
+    return {};
 }
 
 int passes_per_frame(const ParamSet& parameters) {
     const int set = parameters.get_int("solver.iterations");
     if (set > 0)
         return set;
-    return parameters.get_choice("solver.method") == "classic" ? 3 : 10;
+    return find_solver_method(parameters.get_choice("solver.method"))->passes;
 }
 
 } // namespace fascicle

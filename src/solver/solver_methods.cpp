@@ -1,17 +1,15 @@
 #include "fascicle/solver/soft_body_solver.hpp"
-#include "solver/classic/classic_solver.hpp"
-#include "solver/xpbd/xpbd_solver.hpp"
+#include "solver/methods/methods.hpp"
 
 #include <algorithm>
 
 namespace fascicle {
 
 const std::vector<SolverMethod>& solver_methods() {
+    using namespace solver;
     static const std::vector<SolverMethod> methods = {
-        {"xpbd", "compliant constraints in substeps, contact by distance grids", true,
-         solver::make_xpbd_solver},
-        {"classic", "the published program step by step: the yardstick", false, make_classic_solver},
-    };
+        xpbd_method(), classic_method(), mass_spring_method(), arap_method(),
+        rbf_method(),  fem_method(),     xpbd_tet_method()};
     return methods;
 }
 

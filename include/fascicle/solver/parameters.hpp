@@ -16,7 +16,10 @@ ParamSet default_parameters();
 /// Error (usage) when there is no such method.
 void set_method(ParamSet& parameters, const std::string& method);
 
-/// Passes a frame: solver.iterations, or the method's own number when that is 0 (classic 3, xpbd 10).
+/// Why the method in force does not use a parameter, for people; empty when it does.
+std::string unused_reason(const ParamSet& parameters, std::string_view key);
+
+/// Passes a frame: solver.iterations, or the method's own number when that is 0.
 int passes_per_frame(const ParamSet& parameters);
 
 } // namespace fascicle

@@ -11,6 +11,8 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace fascicle {
 
@@ -94,10 +96,16 @@ public:
 };
 
 struct SolverMethod {
-    std::string name;
+    std::string name; ///< of --method; parameters whose key begins with it and a dot are the method's own
     std::string line; ///< one line for help texts
     bool needs_grid;
+    int passes;             ///< default of solver.iterations
+    std::string pass_means; ///< what a pass is, in the plural
     std::unique_ptr<SoftBodySolver> (*make)(const SoftBodyProblem&);
+    std::map<std::string, double> defaults = {}; ///< of parameters that differ from the table's
+    /// Keys of parameters that the method does not use (or their beginnings, with a dot at the end), each with the reason for people.
+    std::vector<std::pair<std::string, std::string>> unused = {};
+    std::vector<ParamRow> parameters = {}; ///< the method's own: rows of parameter_table()
 };
 
 const std::vector<SolverMethod>& solver_methods();

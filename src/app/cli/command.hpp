@@ -34,6 +34,7 @@ std::function<int()> add_report(CLI::App& app);
 std::function<int()> add_lines(CLI::App& app);
 std::function<int()> add_compare(CLI::App& app);
 std::function<int()> add_bench(CLI::App& app);
+std::function<int()> add_reproduce(CLI::App& app);
 std::function<int()> add_parameters(CLI::App& app);
 std::function<int()> add_templates(CLI::App& app);
 

@@ -1,9 +1,11 @@
 // fascicle parameters: the parameter table, for the terminal or as docs/parameters.md.
 
 #include "fascicle/solver/parameters.hpp"
+
 #include "app/cli/command.hpp"
 #include "fascicle/io/preset_file.hpp"
 #include "fascicle/io/user_folder.hpp"
+#include "fascicle/solver/soft_body_solver.hpp"
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -28,17 +30,17 @@ std::string short_text(double value) {
     return text;
 }
 
-/// "0.3", or "0.3 (classic 0.9)" where the method brings another default.
+/// "0.3", or "0.3 (classic 0.9)" where a method brings another default.
 std::string default_text(const ParamRow& row) {
-    if (row.kind == ParamKind::choice)
-        return row.choices.at(static_cast<std::size_t>(row.default_value));
-    ParamSet classic = default_parameters();
-    set_method(classic, "classic");
-    const double other = classic.default_value(row.key);
-    std::string text = short_text(row.default_value);
-    if (other != row.default_value)
-        text += " (classic " + short_text(other) + ")";
-    return text;
+    const auto shown = [&](double value) {
+        return row.kind == ParamKind::choice ? row.choices.at(static_cast<std::size_t>(value))
+                                             : short_text(value);
+    };
+    std::string others;
+    for (const SolverMethod& method : solver_methods())
+        if (const auto own = method.defaults.find(row.key); own != method.defaults.end())
+            others += (others.empty() ? " (" : ", ") + method.name + " " + shown(own->second);
+    return shown(row.default_value) + others + (others.empty() ? "" : ")");
 }
 
 std::vector<std::string> cells(const ParamRow& row) {

@@ -61,6 +61,13 @@ const std::vector<Command>& commands() {
          "  fascicle bench\n"
          "  fascicle bench --case gluteus_maximus --part frames --json gluteus.json",
          add_bench},
+#ifdef FASCICLE_HAS_VIEW
+        {"reproduce", "Repeat every figure and table of Cervenka & Kohout 2020, with the rivals beside",
+         "  fascicle reproduce --data ../shared/data --out out/paper\n"
+         "  fascicle reproduce --only iliacus,gluteus_maximus --methods xpbd,classic --out out/hip\n"
+         "  fascicle reproduce --short --out out/short",
+         add_reproduce},
+#endif
         {"parameters", "List every parameter of a simulation",
          "  fascicle parameters\n"
          "  fascicle parameters --markdown > docs/parameters.md",

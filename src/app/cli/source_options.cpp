@@ -96,7 +96,8 @@ void add_source_options(CLI::App& app, SourceOptions& options) {
         into(r.fibre_templates, "--fibre-template"));
     add(app, options, "--lines", "MODEL.osim", "Line muscles of an OpenSim model, beside the muscles", false,
         [&r](const std::string& text) { r.lines = text; });
-    add(app, options, "--units", "mm|m", "Length unit of the files; told from their size otherwise", false,
+    add(app, options, "--units", "mm|m",
+        "Length unit of the scene, and of files that say none; told from their size otherwise", false,
         [&r](const std::string& text) { r.unit = parse_unit(text); });
 }
 
@@ -110,7 +111,7 @@ void add_solve_options(CLI::App& app, SolveOptions& options) {
         "Named parameter values, see 'fascicle parameters --presets'; options below change them further");
     add_choice(app, "--method", options.method, methods, "How muscles are solved (default: xpbd)");
     add_whole(app, "--iterations", options.iterations, 1, most_iterations, "N",
-              "Solver passes a frame: substeps (xpbd, 10) or inner loops (classic, 3)");
+              "Solver passes a frame, see solver.iterations (default: the method's own)");
     add_whole(app, "--threads", options.threads, 1, most_threads, "N",
               "Threads (default: all); never changes a result");
     add_texts(app, "--set", options.sets, "KEY=VALUE",

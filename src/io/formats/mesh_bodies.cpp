@@ -1,6 +1,7 @@
 #include "io/formats/mesh_bodies.hpp"
 
 #include "fascicle/base/error.hpp"
+#include "fascicle/geometry/float_rounding.hpp"
 
 #include <cmath>
 #include <limits>
@@ -70,14 +71,10 @@ float to_float(double value, const std::string& where) {
 }
 
 Points rounded_to_floats(Points points, const std::string& where) {
-    // In passes of their own: g++ 12 leaves out the rounding of neighbouring numbers when it sees double -> float -> double in one
-    // expression.
-    std::vector<Eigen::Vector3f> stored;
-    stored.reserve(points.size());
     for (const Vec3& p : points)
-        stored.emplace_back(to_float(p.x(), where), to_float(p.y(), where), to_float(p.z(), where));
-    for (std::size_t i = 0; i < points.size(); ++i)
-        points[i] = stored[i].cast<double>();
+        for (int k = 0; k < 3; ++k)
+            to_float(p[k], where);
+    round_to_floats(points);
     return points;
 }
 

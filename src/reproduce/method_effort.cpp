@@ -1,0 +1,46 @@
+#include "reproduce/method_effort.hpp"
+
+#include "fascicle/solver/soft_body_solver.hpp"
+
+#include <algorithm>
+
+namespace fascicle::reproduce {
+
+namespace {
+
+/// Methods that solve systems of equations in every frame: the same motion in fewer, larger steps.
+struct Effort {
+    const char* method;
+    int frames;
+};
+const Effort efforts[] = {{"fem", 30}, {"mass-spring", 60}, {"arap", 150}, {"rbf", 150}, {"xpbd-tet", 150}};
+
+const int short_frames = 12;
+
+} // namespace
+
+int frames_of(const std::string& method, bool is_short) {
+    if (is_short)
+        return short_frames;
+    for (const Effort& effort : efforts)
+        if (method == effort.method)
+            return effort.frames;
+    return 300;
+}
+
+std::vector<std::string> methods_of(const Experiment& experiment, const std::vector<std::string>& wanted) {
+    std::vector<std::string> names;
+    for (const SolverMethod& method : solver_methods()) {
+        const bool chosen =
+            wanted.empty() || std::find(wanted.begin(), wanted.end(), method.name) != wanted.end();
+        const bool runs =
+            experiment.methods == MethodChoice::all ||
+            (experiment.methods == MethodChoice::first && &method == &solver_methods().front()) ||
+            (experiment.methods == MethodChoice::published && method.name == "classic");
+        if (chosen && runs)
+            names.push_back(method.name);
+    }
+    return names;
+}
+
+} // namespace fascicle::reproduce

@@ -1,0 +1,95 @@
+#include "fascicle/base/error.hpp"
+#include "fascicle/io/files.hpp"
+#include "fascicle/scene/embedded_scenes.hpp"
+#include "fascicle/solver/soft_body_solver.hpp"
+#include "reproduce/experiment_scene.hpp"
+#include "reproduce/method_effort.hpp"
+#include "reproduce/published.hpp"
+#include "reproduce/reproduce.hpp"
+#include "support/temp_dir.hpp"
+
+#include <catch2/catch.hpp>
+#include <set>
+
+using namespace fascicle;
+using namespace fascicle::reproduce;
+
+TEST_CASE("reproduce: keys of experiments are unique and stand-ins exist", "[reproduce][unit]") {
+    std::set<std::string> keys, scenes;
+    for (const EmbeddedSceneInfo& scene : embedded_scenes())
+        scenes.insert(scene.name);
+    for (const Experiment& e : experiments()) {
+        INFO(e.key);
+        CHECK(keys.insert(e.key).second);
+        CHECK_FALSE((e.title.empty() || e.figures.empty() || e.muscle.empty()));
+        CHECK((e.stand_in.empty() || scenes.contains(e.stand_in)));
+        CHECK((e.published.empty() || !published_marks(e.published).empty()));
+        CHECK(find_experiment(e.key) == &e);
+        CHECK((e.stand_in.empty() && e.muscle_file.empty()) == false);
+    }
+    CHECK(find_experiment("no such") == nullptr);
+    const std::vector<std::string> parts = part_keys();
+    CHECK(std::set<std::string>(parts.begin(), parts.end()).size() == parts.size());
+}
+
+TEST_CASE("reproduce: every figure of the paper belongs to an experiment", "[reproduce][unit]") {
+    std::string all = ", 22, 9,"; // line segments and Kukacka's fibres: plots of the hip experiments
+    for (const Experiment& e : experiments())
+        all += " " + e.figures + ",";
+    for (int figure = 1; figure <= 22; ++figure)
+        CHECK(all.find(" " + std::to_string(figure) + ",") != std::string::npos);
+}
+
+TEST_CASE("reproduce: every method of the registry runs every experiment for all", "[reproduce][unit]") {
+    for (const Experiment& e : experiments()) {
+        const std::vector<std::string> methods = methods_of(e, {});
+        if (e.methods == MethodChoice::all)
+            CHECK(methods.size() == solver_methods().size());
+        else
+            CHECK(methods.size() == 1);
+        CHECK(methods_of(e, {"no such"}).empty());
+    }
+    for (const SolverMethod& method : solver_methods()) {
+        INFO(method.name);
+        CHECK(300 % frames_of(method.name, false) == 0);
+        CHECK(frames_of(method.name, false) % 6 == 0); // surfaces are kept at every sixth
+        CHECK(frames_of(method.name, true) % 6 == 0);
+    }
+    CHECK(frames_of("a method of tomorrow", false) == 300);
+}
+
+TEST_CASE("reproduce: files are found by name in sub-folders, the nearest first", "[reproduce][unit]") {
+    const test::TempDir dir;
+    write_file(dir.path() / "deep" / "er" / "iliacus.vtk", "far");
+    write_file(dir.path() / "b" / "iliacus.vtk", "near");
+    write_file(dir.path() / ".hidden" / "femur.vtk", "hidden");
+    const DataFiles files(dir.path());
+    REQUIRE(files.find("iliacus.vtk"));
+    CHECK(*files.find("iliacus.vtk") == dir.path() / "b" / "iliacus.vtk");
+    CHECK_FALSE(files.find("femur.vtk"));
+    CHECK_FALSE(DataFiles().find("iliacus.vtk"));
+    CHECK_THROWS_AS(DataFiles(dir.path() / "nowhere"), Error);
+}
+
+TEST_CASE("reproduce: without data a stand-in of one muscle, or the missing files by name",
+          "[reproduce][unit]") {
+    const ExperimentScene iliacus = make_experiment_scene(*find_experiment("iliacus"), {}, 1);
+    CHECK_FALSE(iliacus.real);
+    REQUIRE(iliacus.scene.muscles.size() == 1);
+    CHECK(iliacus.scene.muscles[0].name == "iliacus");
+    CHECK(iliacus.scene.parameters.get_choice("fibres.method") == "kukacka");
+    const ExperimentScene medius = make_experiment_scene(*find_experiment("gluteus_medius"), {}, 1);
+    CHECK(medius.missing == "not in the data: gluteus_medius.vtk, pelvis.obj, femur.vtk");
+}
+
+TEST_CASE("reproduce: a motion in fewer frames goes the same way", "[reproduce][unit]") {
+    const Timeline full = make_hinge_timeline({Vec3(1, 2, 3), Vec3::UnitX()}, -1.0, {100, 100, 100}, 2, {1});
+    const Timeline short_one = in_frames(full, 30);
+    CHECK(short_one.last_frame == 30);
+    for (int k = 0; k <= 30; ++k) {
+        CHECK(short_one.angle_rad(k) == Approx(full.angle_rad(10 * k)).margin(1e-12));
+        const Vec3 p(5, 6, 7);
+        CHECK((short_one.bone_pose(1, k).apply(p) - full.bone_pose(1, 10 * k).apply(p)).norm() < 1e-9);
+    }
+    CHECK(in_frames(full, 300).angle_rad(50) == full.angle_rad(50));
+}
