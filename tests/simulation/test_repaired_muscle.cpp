@@ -62,11 +62,13 @@ TEST_CASE("raw meshes of the hip are repaired to closed manifolds and simulate",
     Scene scene = load_scene(request).scene;
     scene.parameters.set("contact.grid_mm", 4.0);
     const TriMesh muscle = *scene.muscles[0].mesh;
-    const double volume = signed_volume(muscle.positions, muscle.triangles);
     Recording recording(std::make_shared<Scene>(std::move(scene)));
     run_simulation(recording, {2}, {});
     REQUIRE(recording.state() == RunState::finished);
     REQUIRE(recording.frame_count() == 5);
+    // Frame 0: already out of the bones, into which it reaches as it was segmented.
+    const double volume = signed_volume(*recording.frame(0)->muscle_positions[0], muscle.triangles);
+    CHECK(volume == Approx(signed_volume(muscle.positions, muscle.triangles)).epsilon(0.1));
     double moved = 0;
     for (int k = 0; k < 5; ++k) {
         const Points& points = *recording.frame(k)->muscle_positions[0];
