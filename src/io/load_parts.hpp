@@ -14,7 +14,7 @@ void load_muscle_files(Scene& scene, const SceneRequest& request, const std::fun
 void settle_units(const std::vector<MeshPtr*>& meshes, const std::vector<MeshSource*>& sources,
                   std::optional<LengthUnit> wanted, LengthUnit& unit, std::vector<std::string>& notes);
 
-/// The same of a muscle's superficial fibres, in a scene whose unit is settled. Error when they are more than 50 times larger or smaller than
+/// The same of a muscle's superficial fibres, in a scene whose unit is settled. Error when they are more than 150 times larger or smaller than
 /// the muscle.
 void settle_fibre_unit(Muscle& muscle, LengthUnit unit, std::vector<std::string>& notes);
 

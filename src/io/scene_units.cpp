@@ -8,10 +8,19 @@
 #include "fascicle/io/mesh_units.hpp"
 #include "io/load_parts.hpp"
 
-#include <algorithm>
+#include <cstdio>
 
 namespace fascicle {
 namespace fs = std::filesystem;
+namespace {
+
+std::string short_number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
+}
+
+} // namespace
 
 void io::settle_units(const std::vector<MeshPtr*>& meshes, const std::vector<MeshSource*>& sources,
                       std::optional<LengthUnit> wanted, LengthUnit& unit, std::vector<std::string>& notes) {
@@ -43,8 +52,8 @@ void io::settle_fibre_unit(Muscle& muscle, LengthUnit unit, std::vector<std::str
     const std::string name = path.filename().string();
     const double own = bounding_box(muscle.surface_fibres->points).diagonal(),
                  of_muscle = bounding_box(muscle.mesh->positions).diagonal();
-    constexpr double most =
-        50; // superficial fibres lie on the muscle, and are about as long: metres and millimetres are a thousand apart
+    // Superficial fibres lie on the muscle: a few short ones may be a hundred times smaller, metres and millimetres are a thousand apart.
+    constexpr double most = 150;
     const auto fits = [&](double size) { return size <= most * of_muscle && of_muscle <= most * size; };
     const std::optional<double> said = read_mesh_hints(path).millimetres;
     const double factor = said ? *said / millimetres_per_unit(unit) : 1.0;
@@ -58,8 +67,8 @@ void io::settle_fibre_unit(Muscle& muscle, LengthUnit unit, std::vector<std::str
                         " to the scene's " + unit_words(millimetres_per_unit(unit)));
     } else if (own > 0 && of_muscle > 0 && !fits(own)) {
         throw_error(path.string(),
-                    "its size (diagonal " + number_text(own) + ") is not that of the muscle " + muscle.name +
-                        " (" + number_text(of_muscle) + " " + to_text(unit) + ")",
+                    "its size (diagonal " + short_number(own) + ") is not that of the muscle " + muscle.name +
+                        " (" + short_number(of_muscle) + " " + to_text(unit) + ")",
                     "the unit of the scene: fascicle convert IN OUT --units " + std::string(to_text(unit)));
     }
 }

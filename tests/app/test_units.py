@@ -89,7 +89,7 @@ class UnitsTest(ProgramTest):
         self.assertNotIn("nothing was turned", text)
         self.assertIn("nothing was turned", self.check_done("convert", "box.obj", "flat.glb", "--units", "m"))
         self.assertEqual(self.values("box.glb")["box"], "0.001 0.003 -0.03 to 0.02 0.05 -0.002")
-        self.check_done("convert", "box.glb", "back.ply", "--units", "mm", "--axes", "y_up_to_lps")
+        self.check_done("convert", "box.glb", "back.ply", "--units", "mm", "--axes", "y_up_to_lps", "--body", "surface")
         values = self.values("back.ply")
         self.assertEqual(values["unit"], "mm (as the file says)")
         self.assertTrue(values["file's frame"].startswith("LPS"))

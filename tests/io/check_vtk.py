@@ -316,14 +316,6 @@ class VtkJudges(ProgramTest):
             self.assertAlmostEqual(volume(frame) / volume(rest), said, places=6)
         self.check_done("info", out / "strap.pvd")
 
-
-def volume(data):
-    mass = vtk.vtkMassProperties()
-    mass.SetInputData(data)
-    mass.Update()
-    return mass.GetVolume()
-
-
     def test_unit_and_frame_in_field_data(self):
         data, space = surface(), vtk.vtkStringArray()
         space.SetName("SPACE")  # as 3D Slicer says it
@@ -352,6 +344,14 @@ def volume(data):
         fields = vtk_read(self.folder / "ours.vtp").GetFieldData()
         self.assertEqual(fields.GetAbstractArray("SPACE").GetValue(0), "LPS")
         self.assertEqual(fields.GetArray("MILLIMETRES_PER_UNIT").GetValue(0), 1000)
+
+
+def volume(data):
+    mass = vtk.vtkMassProperties()
+    mass.SetInputData(data)
+    mass.Update()
+    return mass.GetVolume()
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -158,6 +158,8 @@ TEST_CASE("A sequence of OBJ files and series for ParaView give back the same nu
         const Animation one = read_animation(series / (std::string(names[b]) + ".pvd"));
         CHECK(one.frames == wanted.frames);
         CHECK(one.seconds == wanted.seconds);
+        CHECK(one.millimetres_per_unit == 1); // from the FieldData
+        CHECK(one.up == wanted.up);
         REQUIRE(one.bodies.size() == 1);
         CHECK(one.bodies[0].triangles == wanted.bodies[b].triangles);
         CHECK(one.bodies[0].lines == wanted.bodies[b].lines);

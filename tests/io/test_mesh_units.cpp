@@ -2,6 +2,7 @@
 #include "fascicle/base/error.hpp"
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/load_scene.hpp"
+#include "fascicle/io/mesh_convert.hpp"
 #include "fascicle/io/mesh_file.hpp"
 #include "fascicle/io/mesh_stamp.hpp"
 #include "fascicle/io/mesh_units.hpp"
