@@ -15,6 +15,8 @@ std::size_t at(int i) {
 
 /// Density of muscle, kg/mm^3 (methods notes, section 7: 1.056 g/cm3).
 constexpr double density = 1.056e-6;
+/// Below this it may be a last volume step as well.
+constexpr double least_push_mm = 1e-3;
 
 class XpbdTetBody final : public LatticeBody {
 public:
@@ -22,6 +24,9 @@ public:
         : LatticeBody(problem, problem.parameters.get("xpbd-tet.spacing_mm")),
           material_(material_from(param("xpbd-tet.young_kpa"), param("xpbd-tet.poisson"),
                                   param("xpbd-tet.fibre_kpa"))),
+          volume_(problem.surface->positions, problem.surface->triangles,
+                  problem.parameters.get("solver.pressure"),
+                  problem.parameters.get_choice("solver.volume") == "kept"),
           scale_(problem.unit_mm), damping_(param("solver.damping")), before_nodes_(nodes_), carried_(nodes_),
           velocity_(nodes_.size(), Vec3::Zero()), node_inverse_mass_(nodes_.size(), 0.0) {
         for (std::size_t t = 0; t < lattice_.tets.size(); ++t) {
@@ -46,7 +51,9 @@ public:
     }
     std::size_t state_bytes() const override {
         return LatticeBody::state_bytes() +
-               bytes_of(rest_shapes_, shapes_, before_nodes_, carried_, velocity_, node_inverse_mass_);
+               bytes_of(rest_shapes_, shapes_, before_nodes_, carried_, velocity_, untouched_,
+                        node_inverse_mass_) +
+               volume_.bytes();
     }
 
 protected:
@@ -63,12 +70,16 @@ protected:
             if (problem().body_of_vertex[i] >= 0)
                 bring(i, attached_point(problem(), solids(), i));
         skin();
+        keep_volume_here();
+        untouched_ = x();
     }
 
-    /// What volume step and contact did to the surface goes to the nodes; then velocities follow from the way of the nodes.
+    /// What contact did to the surface goes to the nodes; then velocities follow from the way of the nodes. Only what it moved: were the
+    /// others brought to where they are, they would hold the tissue in the bone's way. What the volume step did stays with the
+    /// surface: the tetrahedra keep volumes of their own.
     void contacted() override {
         for (std::size_t i = 0; i < x().size(); ++i)
-            if (is_free(i))
+            if (is_free(i) && (x()[i] - untouched_[i]).norm() * scale_ > least_push_mm)
                 bring(i, x()[i]);
         const double keep = std::exp(-damping_ * seconds_) / seconds_;
         for (std::size_t n = 0; n < nodes_.size(); ++n) {
@@ -106,6 +117,16 @@ private:
             put(t, x);
         }
     }
+    /// As the base does it after this: done here, so that contacted() can tell what contact moved.
+    void keep_volume_here() {
+        constexpr int most_steps = 4;
+        for (int step = 0; step < most_steps && volume_.kept(); ++step) {
+            const double off = volume_.evaluate(x()) - volume_.wanted_volume();
+            if (std::abs(off) <= 1e-6 * std::abs(volume_.rest_volume()))
+                return;
+            volume_.project(x(), inverse_mass(), contact_normals());
+        }
+    }
     void bring(std::size_t vertex, const Vec3& target) {
         const TetBinding& binding = lattice_.bindings[vertex];
         if (binding.tet < 0)
@@ -116,11 +137,13 @@ private:
     }
 
     TetMaterial material_;
+    VolumeConstraint volume_;
     double scale_, damping_;
     double seconds_ = 1.0;
     bool forward_ = false;
     std::vector<TetShape> rest_shapes_, shapes_; ///< without and with active fibres
     Points before_nodes_, carried_, velocity_;
+    Points untouched_;                      ///< the surface before contact
     std::vector<double> node_inverse_mass_; ///< 1 / kg
 };
 
