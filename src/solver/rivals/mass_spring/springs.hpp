@@ -20,7 +20,7 @@ struct Spring {
 /// the border what is there. nearest15: the 15 nearest, and others as near as the last. In all, springs leave the solid by no more than 0.15 of their length (at
 /// the middle), and whoever then has fewer than 6 gets the nearest of the others. Parts of one component of
 /// the surface that no spring joins are joined by the shortest one between boundary particles.
-/// component: of the surface, by vertex (MeshTopology). Ascending by (a, b), no pair twice, none without length.
+/// topology: of the surface. Ascending by (a, b), no pair twice, none without length.
 std::vector<Spring> make_springs(const ParticleSet& particles, SpringLayout layout, const SolidQuery& solid,
                                  const MeshTopology& topology);
 
