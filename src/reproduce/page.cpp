@@ -120,6 +120,9 @@ private:
     }
 
     void findings() {
+        const auto has_any = [](const ExperimentResult& result) { return !result.findings.empty(); };
+        if (std::none_of(results_.experiments.begin(), results_.experiments.end(), has_any))
+            return;
         html_ += "<h2>What is seen</h2>\n";
         table();
         row({"Figure", "Experiment", "", "From the data"}, "th");

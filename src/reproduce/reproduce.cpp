@@ -231,6 +231,7 @@ Results reproduce(const ReproduceOptions& options, const JobControl& control) {
         results.speed = measure_speed(objects, both, options.threads, options.is_short ? 4 : 60, work.cache(),
                                       meter.part("speed", speed_work));
     }
+    work.remove_outdated();
     results.seconds = seconds_now() - begin;
     return results;
 }

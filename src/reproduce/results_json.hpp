@@ -14,4 +14,7 @@ std::string timings_json(const Results& results);
 /// and speed.csv (times), those that have rows, into a folder.
 void write_tables(const Results& results, const std::filesystem::path& folder);
 
+/// Whether a file of this name in the output folder is one of a report's: what an earlier report with more parts left.
+bool is_report_file(const std::string& name);
+
 } // namespace fascicle::reproduce

@@ -207,6 +207,13 @@ void write_speed(const SpeedResult& speed, const fs::path& folder) {
 
 } // namespace
 
+bool is_report_file(const std::string& name) {
+    static const std::set<std::string> names{
+        "report.html",           "results.json",          "timings.json",    "curves.csv", "moment_arms.csv",
+        "surface_distances.csv", "published_program.csv", "sensitivity.csv", "speed.csv"};
+    return names.contains(name) || (name.starts_with("fibre_lengths-") && name.ends_with(".csv"));
+}
+
 void write_tables(const Results& results, const fs::path& folder) {
     write_curves(results, folder);
     write_fibre_lengths(results, folder);

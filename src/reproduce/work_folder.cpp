@@ -192,6 +192,25 @@ WorkFolder::Made WorkFolder::ensure(const RunRequest& request, const JobControl&
     return {folder, false};
 }
 
+void WorkFolder::remove_outdated() const {
+    std::error_code error;
+    std::vector<fs::path> outdated;
+    for (fs::directory_iterator it(folder_, error), end; !error && it != end; it.increment(error)) {
+        const fs::path list = it->path() / marker;
+        std::error_code ignored;
+        if (!fs::is_regular_file(list, ignored))
+            continue;
+        try {
+            if (nlohmann::json::parse(read_file(list)).at("program") != program_)
+                outdated.push_back(it->path());
+        } catch (const std::exception&) {
+            continue; // not ours to judge; a damaged run is replaced when it is wanted
+        }
+    }
+    for (const fs::path& path : outdated)
+        fs::remove_all(path, error);
+}
+
 void WorkFolder::simulate(const RunRequest& request, const fs::path& folder, const std::string& key,
                           const JobControl& control) const {
     RunOutputOptions output;
@@ -230,7 +249,7 @@ void WorkFolder::simulate(const RunRequest& request, const fs::path& folder, con
         series.push_back(fibres != nullptr ? &fibres->series() : nullptr);
     }
     writer.finish(*recording, series, [&](const fs::path& place) {
-        const nlohmann::ordered_json json{{"key", key}, {"files", listing(place)}};
+        const nlohmann::ordered_json json{{"key", key}, {"program", program_}, {"files", listing(place)}};
         write_file(place / marker, json.dump(1) + "\n");
     });
 }

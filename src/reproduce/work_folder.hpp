@@ -18,7 +18,7 @@ struct RunRequest {
 };
 
 /// 32 hexadecimal digits of everything that the run's numbers depend on: meshes, attachments, fibres, motion frame by frame, parameters,
-/// what is kept, and `program`. Not of names of files, threads or time.
+/// what is kept, notes, and `program`. Not of paths, threads or time.
 std::string run_key(const RunRequest& request, const std::string& program);
 
 /// Version of the program and a hash of its file, where the system tells which that is: a program that was built anew makes its runs anew.
@@ -41,6 +41,9 @@ public:
     /// The folder of the run; simulates when it is not there or damaged, and removes what is damaged first. control: stage "solve", share of
     /// the frames. Throws Cancelled (nothing is left of this run then), and Error when the run fails.
     Made ensure(const RunRequest& request, const JobControl& control) const;
+
+    /// Removes runs that another program made: this one can never use them. What cannot be removed stays.
+    void remove_outdated() const;
 
     /// Distance grids: of the user's cache, else of this object.
     const std::shared_ptr<BlobStore>& cache() const { return cache_; }

@@ -85,6 +85,14 @@ class ReproduceTest(ProgramTest):
         self.assertFalse(json.loads((self.folder / "out" / "timings.json").read_text())["runs"][0]["reused"])
         self.assertEqual(self.files("out")["results.json"], first["results.json"])
 
+    def test_a_smaller_report_leaves_no_table_of_a_larger_one(self):
+        self.reproduce("out", "--only", "iliacus", "--methods", "classic")
+        self.assertIn("fibre_lengths-iliacus-classic.csv", self.files("out"))
+        (self.folder / "out" / "mine.csv").write_text("stays")
+        self.reproduce("out", "--only", "squish-box", "--methods", "classic")
+        self.assertEqual(set(self.files("out")), {"report.html", "results.json", "timings.json", "curves.csv",
+                                                  "published_program.csv", "mine.csv"})
+
     def test_an_interrupted_report_goes_on_where_it_was_cut_off(self):
         out = self.folder / "out"
         command = [PROGRAM, "reproduce", "--short", "--quiet", "--only", "squish-box,iliacus", "--methods", "classic,xpbd",

@@ -113,6 +113,19 @@ TEST_CASE("reproduce: a finished run is used again, a damaged one is made again"
     CHECK(remade.metrics == data.metrics);
 }
 
+TEST_CASE("reproduce: runs of another program are removed, others stay", "[reproduce][unit]") {
+    const test::TempDir dir;
+    const WorkFolder old_program(dir.path(), "old", 1), work(dir.path(), "new", 1);
+    const RunRequest request = request_of(small_scene());
+    const fs::path outdated = old_program.ensure(request, {}).folder, kept = work.ensure(request, {}).folder;
+    write_file(dir.path() / "mine" / "notes.txt", "a user's own");
+    REQUIRE(outdated != kept);
+    work.remove_outdated();
+    CHECK_FALSE(fs::exists(outdated));
+    CHECK(work.has(request));
+    CHECK(fs::exists(dir.path() / "mine" / "notes.txt"));
+}
+
 TEST_CASE("reproduce: a run that is stopped leaves nothing", "[reproduce][unit]") {
     const test::TempDir dir;
     const WorkFolder work(dir.path() / "work", "p", 1);

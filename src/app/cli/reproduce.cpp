@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <ctime>
 #include <iostream>
+#include <set>
 
 namespace fascicle::app {
 
@@ -59,6 +60,14 @@ void add_names(CLI::App& app, const std::string& name, std::vector<std::string>&
             target.push_back(word);
         }
     });
+}
+
+std::set<std::string> names_in(const std::filesystem::path& folder) {
+    std::set<std::string> names;
+    for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(folder))
+        if (entry.is_regular_file())
+            names.insert(entry.path().filename().string());
+    return names;
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -118,7 +127,12 @@ int run(ReproduceCommand& command) {
     write_file(staged.place() / "results.json", reproduce::results_json(results));
     write_file(staged.place() / "timings.json", reproduce::timings_json(results));
     reproduce::write_tables(results, staged.place());
+    const std::set<std::string> written = names_in(staged.place());
     staged.commit(results.inputs);
+    // A table of an earlier report that this one has no rows for would pass for one of this.
+    for (const std::string& name : names_in(command.out))
+        if (reproduce::is_report_file(name) && !written.contains(name))
+            std::filesystem::remove(std::filesystem::path(command.out) / name, error);
     if (!command.quiet)
         print(results, command.out);
     return 0;
