@@ -132,7 +132,8 @@ private:
         if (binding.tet < 0)
             return;
         TetPoints x = corners(at(binding.tet));
-        project_point(x, binding.weights, target, inverse_masses_of(at(binding.tet)));
+        // All corners alike: by their masses the light ones outside of the surface would be flung about.
+        project_point(x, binding.weights, target, {1.0, 1.0, 1.0, 1.0});
         put(at(binding.tet), x);
     }
 
