@@ -5,6 +5,7 @@
 #include "solver/rivals/arap/cotangent_weights.hpp"
 #include "solver/rivals/rival_body.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fascicle::solver {
@@ -64,26 +65,15 @@ double mean_edge(const Points& rest, const MeshTopology& topology) {
 
 ArapSolver::ArapSolver(const SoftBodyProblem& problem)
     : RivalBody(problem), cells_(rest(), topology(), edge_weights(problem, topology())),
-      anchors_(rest().size(), 0.0),
       contact_held_(rest().size(), param("arap.contact"), most_multiplier * mean_edge(rest(), topology()),
                     problem.threads),
       volume_(rest(), problem.surface->triangles, param("solver.pressure"),
               problem.parameters.get_choice("solver.volume") == "kept" &&
                   problem.parameters.get_choice("arap.volume") == "within"),
       alternations_(problem.parameters.get_int("arap.alternations")) {
-    std::vector<std::uint8_t> held(static_cast<std::size_t>(topology().component_count()), 0);
-    std::vector<std::uint8_t> free(rest().size(), 0);
-    const auto part = [&](std::size_t i) { return topology().vertex_component(static_cast<int>(i)); };
-    for (std::size_t i = 0; i < free.size(); ++i) {
-        free[i] = is_free(i) ? 1 : 0;
-        if (free[i] == 0 && part(i) >= 0)
-            held[static_cast<std::size_t>(part(i))] = 1;
-    }
-    for (std::size_t i = 0; i < free.size(); ++i)
-        if (free[i] != 0 && held[static_cast<std::size_t>(part(i))] == 0) {
-            anchors_[i] = anchor * cells_.weight_at(i);
-            anchored_ = true;
-        }
+    const std::vector<std::uint8_t> free = free_vertices(inverse_mass());
+    anchors_ = anchor_penalties(cells_, topology(), free, anchor);
+    anchored_ = std::any_of(anchors_.begin(), anchors_.end(), [](double a) { return a > 0.0; });
     penalties_ = anchors_;
     system_ = std::make_unique<ArapSystem>(cells_, free, penalties_);
 }

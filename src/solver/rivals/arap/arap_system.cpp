@@ -93,4 +93,25 @@ std::size_t ArapSystem::bytes() const {
            (vertex_.empty() ? 0 : sparse(factor_.matrixL().nestedExpression()));
 }
 
+std::vector<std::uint8_t> free_vertices(const std::vector<double>& inverse_mass) {
+    std::vector<std::uint8_t> free(inverse_mass.size(), 0);
+    for (std::size_t i = 0; i < free.size(); ++i)
+        free[i] = inverse_mass[i] != 0.0 ? 1 : 0;
+    return free;
+}
+
+std::vector<double> anchor_penalties(const ArapCells& cells, const MeshTopology& topology,
+                                     const std::vector<std::uint8_t>& free, double share) {
+    std::vector<std::uint8_t> held(static_cast<std::size_t>(topology.component_count()), 0);
+    const auto part = [&](std::size_t i) { return topology.vertex_component(static_cast<int>(i)); };
+    for (std::size_t i = 0; i < free.size(); ++i)
+        if (free[i] == 0 && part(i) >= 0)
+            held[static_cast<std::size_t>(part(i))] = 1;
+    std::vector<double> penalties(free.size(), 0.0);
+    for (std::size_t i = 0; i < free.size(); ++i)
+        if (free[i] != 0 && held[static_cast<std::size_t>(part(i))] == 0)
+            penalties[i] = share * cells.weight_at(i);
+    return penalties;
+}
+
 } // namespace fascicle::solver

@@ -34,4 +34,11 @@ private:
     std::vector<Two> work_;
 };
 
+/// V: 1 for vertices with an inverse mass.
+std::vector<std::uint8_t> free_vertices(const std::vector<double>& inverse_mass);
+/// V: for vertices of parts of the surface that have none but free ones, `share` of their cell's weight, else 0. A penalty that makes the
+/// system definite: the energy leaves the place of such a part open.
+std::vector<double> anchor_penalties(const ArapCells& cells, const MeshTopology& topology,
+                                     const std::vector<std::uint8_t>& free, double share);
+
 } // namespace fascicle::solver

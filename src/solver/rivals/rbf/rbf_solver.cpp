@@ -2,6 +2,8 @@
 
 #include "fascicle/base/parallel.hpp"
 #include "solver/contact/swept_clamp.hpp"
+#include "solver/rivals/arap/arap_system.hpp"
+#include "solver/rivals/arap/cotangent_weights.hpp"
 #include "solver/rivals/rbf/rbf_attachments.hpp"
 #include "solver/rivals/rbf/rbf_contact.hpp"
 #include "solver/rivals/rbf/spread_points.hpp"
@@ -21,8 +23,10 @@ constexpr double slack_share = 0.05;
 /// Steps of a body that nothing holds out of solids; a cap goes half of its depth in each.
 constexpr int push_rounds = 6;
 /// Volume and contact take turns at most so often, until the volume is right to this share.
-constexpr int settling_rounds = 8;
+constexpr int settling_rounds = 6;
 constexpr double enough_volume = 1e-5;
+/// Of a body that nothing holds: keeps the membrane's system definite; forces of a closed surface's volume have no sum, so it hardly acts.
+constexpr double anchor = 1e-4;
 
 class RbfSolver final : public RivalBody {
 public:
@@ -45,9 +49,13 @@ private:
     bool choose_centres(std::size_t most);
     void bend();
     void settle();
+    void press_off();
 
     VolumeConstraint volume_;
-    Points normals_;            ///< V: of contacts while settling
+    Points normals_, force_, give_,
+        scratch_; ///< V: of contacts while settling; pressure's forces, and how the membrane gives way
+    ArapCells cells_;
+    std::unique_ptr<ArapSystem> membrane_;
     std::vector<int> vertices_; ///< the free ones, F
     Points rest_;               ///< F
     RbfAttachments attachments_;
@@ -60,9 +68,9 @@ private:
     Points wanted_;             ///< of those
 };
 
-std::vector<int> free_vertices(const SoftBodyProblem& problem, const std::vector<double>& inverse_mass) {
+std::vector<int> indices_of_free(const std::vector<double>& inverse_mass) {
     std::vector<int> result;
-    for (std::size_t i = 0; i < problem.body_of_vertex.size(); ++i)
+    for (std::size_t i = 0; i < inverse_mass.size(); ++i)
         if (inverse_mass[i] != 0.0)
             result.push_back(static_cast<int>(i));
     return result;
@@ -75,7 +83,9 @@ RbfKernel kernel_of(const SoftBodyProblem& problem) {
 RbfSolver::RbfSolver(const SoftBodyProblem& problem)
     : RivalBody(problem), volume_(rest(), problem.surface->triangles, param("solver.pressure"),
                                   problem.parameters.get_choice("solver.volume") == "kept"),
-      normals_(rest().size(), Vec3::Zero()), vertices_(free_vertices(problem, inverse_mass())),
+      normals_(rest().size(), Vec3::Zero()),
+      cells_(rest(), topology(), cotangent_weights(rest(), problem.surface->triangles, topology())),
+      vertices_(indices_of_free(inverse_mass())),
       attachments_(problem, vertices_, problem.parameters.get_int("rbf.centres"), kernel_of(problem)),
       most_contacts_(problem.parameters.get_int("rbf.contacts")), depth_(vertices_.size(), 0.0) {
     for (const int v : vertices_)
@@ -83,6 +93,11 @@ RbfSolver::RbfSolver(const SoftBodyProblem& problem)
     if (attachments_.field() != nullptr)
         contact_field_ = RbfContact(*attachments_.field(), rest_, most_contacts_);
     targets_ = rest_;
+    if (volume_.kept()) {
+        const std::vector<std::uint8_t> free = free_vertices(inverse_mass());
+        membrane_ =
+            std::make_unique<ArapSystem>(cells_, free, anchor_penalties(cells_, topology(), free, anchor));
+    }
 }
 
 void RbfSolver::deform(double) {
@@ -109,31 +124,60 @@ void RbfSolver::deform(double) {
             break;
         bend();
     }
+    if (!solids().empty()) { // what is still inside stops on its way, too
+        find_targets();
+        for (std::size_t k = 0; k < places_.size(); ++k)
+            if (depth_[k] > 0.0)
+                places_[k] = targets_[k];
+    }
     for (std::size_t k = 0; k < vertices_.size(); ++k)
         x()[static_cast<std::size_t>(vertices_[k])] = places_[k];
     settle();
 }
 
-/// Every pass starts from the field, which may be far from the wanted volume, so one step of volume and contact after the other is not
-/// enough: what contact takes away must be made up for elsewhere.
+/// Every pass starts from the field, which may be far from the wanted volume, so volume and contact take turns: what contact takes away
+/// is made up for elsewhere. The volume changes as that of a membrane under pressure does, x += p L^-1 grad V with L the cotangent
+/// Laplacian and attached vertices held, which is smooth; grad V itself is as uneven as the sizes of triangles are.
 void RbfSolver::settle() {
     std::fill(normals_.begin(), normals_.end(), Vec3::Zero());
     for (int round = 0; round < settling_rounds && volume_.kept(); ++round) {
         const double off = volume_.evaluate(x()) - volume_.wanted_volume();
         if (std::abs(off) <= enough_volume * std::abs(volume_.rest_volume()))
             return;
-        volume_.project(x(), inverse_mass(), normals_);
-        if (solids().empty())
-            continue;
-        parallel_for(problem().threads, vertices_.size(), 512, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t k = begin; k < end; ++k) {
-                const auto v = static_cast<std::size_t>(vertices_[k]);
-                const ContactResult result = resolve_contact(x()[v], before()[v], solids(), contact());
-                if (result.touched)
-                    normals_[v] = result.normal;
-            }
-        });
+        const double side = off > 0.0 ? -1.0 : 1.0; // the way along grad V
+        const auto block = [&](Points& vectors) {   // nothing goes against a bone
+            for (std::size_t i = 0; i < vectors.size(); ++i)
+                if (const double along = vectors[i].dot(normals_[i]); side * along < 0.0)
+                    vectors[i] -= along * normals_[i];
+        };
+        force_ = volume_.gradient();
+        block(force_);
+        scratch_ = x();
+        membrane_->solve(force_, force_, scratch_, give_);
+        block(give_);
+        double slope = 0;
+        for (std::size_t i = 0; i < give_.size(); ++i)
+            slope += volume_.gradient()[i].dot(give_[i]);
+        if (!(slope > 0.0))
+            return;
+        const double limit = VolumeConstraint::max_step * std::abs(volume_.rest_volume());
+        const double pressure = std::clamp(off, -limit, limit) / slope;
+        for (std::size_t i = 0; i < give_.size(); ++i)
+            x()[i] -= pressure * give_[i];
+        if (!solids().empty())
+            press_off();
     }
+}
+
+void RbfSolver::press_off() {
+    parallel_for(problem().threads, vertices_.size(), 512, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const auto v = static_cast<std::size_t>(vertices_[k]);
+            const ContactResult result = resolve_contact(x()[v], before()[v], solids(), contact());
+            if (result.touched)
+                normals_[v] = result.normal;
+        }
+    });
 }
 
 /// Solids on one side push the whole body; those on two sides, against each other, leave it where it is.
