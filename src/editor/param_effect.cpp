@@ -2,6 +2,8 @@
 
 #include "fascicle/solver/parameters.hpp"
 
+#include <algorithm>
+
 namespace fascicle::editor {
 
 std::string no_effect_reason(const Scene& scene, const ParamRow& row) {
@@ -17,6 +19,13 @@ std::string no_effect_reason(const Scene& scene, const ParamRow& row) {
     if (key == "fibres.template" && fibres != "kukacka")
         return "only fibres by kukacka follow a template";
     return {};
+}
+
+bool of_another_method(const Scene& scene, const ParamRow& row) {
+    const std::string owner = row.key.substr(0, row.key.find('.'));
+    const ParamRow& methods = *scene.parameters.table().find("solver.method");
+    return owner != scene.parameters.get_choice("solver.method") &&
+           std::find(methods.choices.begin(), methods.choices.end(), owner) != methods.choices.end();
 }
 
 } // namespace fascicle::editor

@@ -107,10 +107,11 @@ bool is_orphan(const std::string& name, const std::string& start) {
 /// seconds, not once a file.
 class Leftovers {
 public:
-    std::vector<std::string> of(const fs::path& folder) {
+    /// fresh: as the folder is now.
+    std::vector<std::string> of(const fs::path& folder, bool fresh) {
         const std::lock_guard<std::mutex> lock(mutex_);
         const auto now = std::chrono::steady_clock::now();
-        if (folder != folder_ || now - listed_ > std::chrono::seconds(5)) {
+        if (fresh || folder != folder_ || now - listed_ > std::chrono::seconds(5)) {
             names_.clear();
             std::error_code error;
             for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
@@ -131,7 +132,7 @@ private:
 };
 
 /// Removes temporary files of `path` whose program is no longer there. Those of other names stay: they might be somebody's own.
-void remove_orphans(const fs::path& path) {
+void remove_orphans(const fs::path& path, bool fresh = false) {
     static Leftovers leftovers;
     std::error_code error;
     const fs::path folder =
@@ -140,7 +141,7 @@ void remove_orphans(const fs::path& path) {
         folder.filename().native().starts_with(hidden_folder)) // of this run, so that nothing is left in it
         return;
     const std::string start = temporary_start(path);
-    for (const std::string& name : leftovers.of(folder))
+    for (const std::string& name : leftovers.of(folder, fresh))
         if (is_orphan(name, start))
             fs::remove(folder / name, error);
 }
@@ -360,6 +361,7 @@ void write_document(const fs::path& path, const std::string& bytes) {
         throw_error(path.string(), "cannot write: is a folder", "the name of a file");
     if (fs::exists(old) && ::access(target.c_str(), W_OK) != 0)
         throw_error(path.string(), "cannot write: " + reason());
+    remove_orphans(target, true); // documents are few: a look at the folder each
     AtomicFile file(target);
     file.write(bytes.data(), bytes.size());
     file.commit(AtomicFile::Flush::to_disk);

@@ -147,6 +147,15 @@ void print_series(const std::string& path, const std::string& bytes) {
     }
 }
 
+/// Numbered neighbours that are frames of one motion; others (bone_01.obj, bone_02.obj) are meshes of their own.
+void print_obj_series(const std::string& path) {
+    try {
+        const int count = static_cast<int>(read_animation(path).frame_count());
+        print("series", std::to_string(count) + " files of this name and number");
+    } catch (const Error&) { // no series: nothing to tell
+    }
+}
+
 /// What of an OpenSim model a scene can be made of.
 void print_model(const std::string& path) {
     const OsimPreview model = preview_osim(path, {});
@@ -189,8 +198,7 @@ void print_file(const std::string& path) {
     print_stamp(stamp);
     print_bodies(read_bodies(bytes, path));
     if (frames != nullptr && std::string_view(frames->key) == "obj")
-        print("series",
-              std::to_string(read_animation(path).frame_count()) + " files of this name and number");
+        print_obj_series(path);
     if (!file.mesh.triangles.empty())
         print_surface(file, unit);
     if (points_alone && !file.mesh.positions.empty())

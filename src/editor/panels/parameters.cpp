@@ -85,6 +85,10 @@ private:
             return true;
         if (only_changed_ && !context.document.scene().parameters.edited(row.key))
             return false;
+        // What other methods have for themselves would be half of the panel; a search finds it.
+        if (search_.empty() && of_another_method(context.document.scene(), row) &&
+            !context.document.scene().parameters.edited(row.key))
+            return false;
         return matches(row, search_);
     }
 
