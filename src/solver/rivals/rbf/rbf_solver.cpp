@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fascicle::solver {
 
@@ -23,7 +24,7 @@ constexpr double slack_share = 0.05;
 /// Steps of a body that nothing holds out of solids; a cap goes half of its depth in each.
 constexpr int push_rounds = 6;
 /// Volume and contact take turns at most so often, until the volume is right to this share.
-constexpr int settling_rounds = 6;
+constexpr int settling_rounds = 16;
 constexpr double enough_volume = 1e-5;
 /// Of a body that nothing holds: keeps the membrane's system definite; forces of a closed surface's volume have no sum, so it hardly acts.
 constexpr double anchor = 1e-4;
@@ -35,6 +36,8 @@ public:
     /// Displacements are taken from rest, so positions are all there is to take over.
     bool set_state(const Points& positions, const Points&) override {
         x() = positions;
+        for (std::size_t k = 0; k < vertices_.size(); ++k)
+            places_[k] = positions[static_cast<std::size_t>(vertices_[k])];
         return true;
     }
     std::size_t state_bytes() const override {
@@ -44,6 +47,7 @@ public:
 
 private:
     void deform(double seconds) override;
+    void carry_ways();
     void push_base();
     void find_targets();
     bool choose_centres(std::size_t most);
@@ -61,7 +65,9 @@ private:
     RbfAttachments attachments_;
     RbfContact contact_field_;
     int most_contacts_;
-    Points base_;               ///< F: by the attachments alone, or the rest shape moved rigidly
+    Points base_; ///< F: by the attachments alone, or the rest shape moved rigidly
+    /// F: where the ways to the wanted places begin: the last pass's places, before the volume was made right, carried by the solids.
+    Points from_;
     Points places_, targets_;   ///< F: with the contacts so far; where contact wants them
     std::vector<double> depth_; ///< F: way to the target, 0 none
     std::vector<int> chosen_;   ///< contact centres of this pass, in F
@@ -92,7 +98,7 @@ RbfSolver::RbfSolver(const SoftBodyProblem& problem)
         rest_.push_back(rest()[static_cast<std::size_t>(v)]);
     if (attachments_.field() != nullptr)
         contact_field_ = RbfContact(*attachments_.field(), rest_, most_contacts_);
-    targets_ = rest_;
+    targets_ = places_ = rest_;
     if (volume_.kept()) {
         const std::vector<std::uint8_t> free = free_vertices(inverse_mass());
         membrane_ =
@@ -103,13 +109,11 @@ RbfSolver::RbfSolver(const SoftBodyProblem& problem)
 void RbfSolver::deform(double) {
     if (vertices_.empty())
         return;
+    carry_ways();
     if (attachments_.field() != nullptr)
         attachments_.place(solids(), problem().threads, base_);
     else { // nothing says where the body is but itself
-        places_.clear();
-        for (const int v : vertices_)
-            places_.push_back(x()[static_cast<std::size_t>(v)]);
-        const Pose motion = best_motion(rest_, places_, Pose{});
+        const Pose motion = best_motion(rest_, from_, Pose{});
         base_ = rest_;
         for (Vec3& p : base_)
             p = motion.apply(p);
@@ -140,10 +144,16 @@ void RbfSolver::deform(double) {
 /// Laplacian and attached vertices held, which is smooth; grad V itself is as uneven as the sizes of triangles are.
 void RbfSolver::settle() {
     std::fill(normals_.begin(), normals_.end(), Vec3::Zero());
+    double last = std::numeric_limits<double>::infinity();
     for (int round = 0; round < settling_rounds && volume_.kept(); ++round) {
         const double off = volume_.evaluate(x()) - volume_.wanted_volume();
         if (std::abs(off) <= enough_volume * std::abs(volume_.rest_volume()))
             return;
+        if (std::abs(off) >= last) { // between solids that leave no room there is nothing to gain
+            x() = scratch_;
+            return;
+        }
+        last = std::abs(off);
         const double side = off > 0.0 ? -1.0 : 1.0; // the way along grad V
         const auto block = [&](Points& vectors) {   // nothing goes against a bone
             for (std::size_t i = 0; i < vectors.size(); ++i)
@@ -153,7 +163,8 @@ void RbfSolver::settle() {
         force_ = volume_.gradient();
         block(force_);
         scratch_ = x();
-        membrane_->solve(force_, force_, scratch_, give_);
+        membrane_->solve(force_, force_, scratch_, give_); // of which the first is not needed
+        scratch_ = x();
         block(give_);
         double slope = 0;
         for (std::size_t i = 0; i < give_.size(); ++i)
@@ -178,6 +189,21 @@ void RbfSolver::press_off() {
                 normals_[v] = result.normal;
         }
     });
+}
+
+/// As free vertices are carried in every method.
+void RbfSolver::carry_ways() {
+    from_ = places_;
+    const std::vector<double>& weights = problem().carry_weights;
+    for (std::size_t k = 0; k < from_.size() && !weights.empty(); ++k) {
+        Vec3 shift = Vec3::Zero();
+        for (std::size_t b = 0; b < solids().size(); ++b)
+            if (const double w = weights[static_cast<std::size_t>(vertices_[k]) * solids().size() + b];
+                w != 0.0)
+                shift +=
+                    w * (solids()[b].now.apply(solids()[b].before.apply_inverse(places_[k])) - places_[k]);
+        from_[k] += shift;
+    }
 }
 
 /// Solids on one side push the whole body; those on two sides, against each other, leave it where it is.
@@ -207,16 +233,16 @@ void RbfSolver::find_targets() {
             depth_[k] = 0.0;
             if (nearest_solid(places_[k], solids()).value >= (1.0 - slack_share) * contact().offset)
                 continue;
-            const auto v = static_cast<std::size_t>(vertices_[k]);
             double share = 1.0;
             for (const ContactSolid& solid : solids())
-                share = std::min(share, free_share(*solid.grid, solid.now.apply_inverse(x()[v]),
+                share = std::min(share, free_share(*solid.grid, solid.now.apply_inverse(from_[k]),
                                                    solid.now.apply_inverse(places_[k]), contact().least,
                                                    contact().offset, solid.slope));
-            targets_[k] = x()[v] + share * (places_[k] - x()[v]);
-            const ContactResult result = resolve_contact(targets_[k], before()[v], solids(), contact());
+            targets_[k] = from_[k] + share * (places_[k] - from_[k]);
+            const Vec3& before_it = before()[static_cast<std::size_t>(vertices_[k])];
+            const ContactResult result = resolve_contact(targets_[k], before_it, solids(), contact());
             if (!result.outside || nearest_solid(targets_[k], solids()).value < contact().least)
-                clamp_motion(targets_[k], before()[v], solids(), contact());
+                clamp_motion(targets_[k], before_it, solids(), contact());
             depth_[k] = (targets_[k] - places_[k]).norm();
         }
     });
