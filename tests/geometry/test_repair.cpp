@@ -430,7 +430,7 @@ TEST_CASE("A million triangles on one point are gone in no time", "[repair]") {
     CHECK(r.new_of_old[0] == -1);
 }
 
-TEST_CASE("Wheels with very many spokes are repaired in no time", "[repair]") {
+TEST_CASE("Wheels with very many spokes are repaired in no time", "[repair][slow]") {
     // Two hubs over one rim, whose edges are so short that they collapse.
     constexpr int spokes = 50000;
     TriMesh wheel;

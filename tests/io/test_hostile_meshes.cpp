@@ -298,7 +298,7 @@ TEST_CASE("hostile meshes: coordinates that are none, and huge ones", "[io][host
     }
 }
 
-TEST_CASE("hostile meshes: a million points at one place", "[io][hostile]") {
+TEST_CASE("hostile meshes: a million points at one place", "[io][hostile][slow]") {
     for (const MeshFormat& format : mesh_formats()) {
         INFO(format.name);
         const std::string file = coincident(format.extensions[0]);

@@ -215,7 +215,7 @@ TEST_CASE("gait2392: 92 muscles of plausible length, and arms that agree with di
 }
 
 TEST_CASE("hip model of this specimen: muscles as strings over its bones stay out of them",
-          "[io][osim][data]") {
+          "[io][osim][data][slow]") {
     FASCICLE_NEED_DATA(data);
     const Hip hip = read_hip(data);
     const LineModel& model = hip.file.model;

@@ -173,7 +173,7 @@ TEST_CASE("What comes from no file, or is no longer in it, is carried", "[io][pr
     check_same(read_project_file(file).scene, files.scene);
 }
 
-TEST_CASE("Every embedded scene comes back from its project", "[io][project]") {
+TEST_CASE("Every embedded scene comes back from its project", "[io][project][slow]") {
     const TempDir dir;
     for (const char* name : {"cylinder", "squish-box", "two-heads"}) {
         INFO(name);
