@@ -104,7 +104,8 @@ void repairing(ScreenStage& s) {
     s.state().selection = {Selection::Kind::muscle, s.scene().muscles.at(0).name};
     s.run(C::repair_mesh);
     s.click("repair/by_edge");
-    s.frames(30); // until the choices have settled
+    s.move({2, 2}); // no tooltip over it
+    s.frames(30);   // until the choices have settled
     s.wait();
     s.frames(4);
 }

@@ -11,6 +11,10 @@ const std::vector<AxisMappingRow>& axis_mappings() {
         {AxisMapping::opensim_to_lps, "opensim_to_lps", "OpenSim to LPS",
          "From Y up: x = -Z, y = -X, z = Y."},
         {AxisMapping::lps_to_opensim, "lps_to_opensim", "LPS to OpenSim", "To Y up: X = -y, Y = z, Z = -x."},
+        {AxisMapping::y_up_to_lps, "y_up_to_lps", "Y up (glTF) to LPS",
+         "A quarter turn about x: x = X, y = -Z, z = Y."},
+        {AxisMapping::lps_to_y_up, "lps_to_y_up", "LPS to Y up (glTF)",
+         "A quarter turn about x: X = x, Y = z, Z = -y."},
     };
     return rows;
 }
@@ -28,6 +32,12 @@ Mat3 axis_matrix(AxisMapping mapping) {
         break;
     case AxisMapping::lps_to_opensim:
         m << 0, -1, 0, 0, 0, 1, -1, 0, 0;
+        break;
+    case AxisMapping::y_up_to_lps:
+        m << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+        break;
+    case AxisMapping::lps_to_y_up:
+        m << 1, 0, 0, 0, 0, 1, 0, -1, 0;
         break;
     }
     return m;

@@ -139,6 +139,10 @@ std::optional<DistanceGrid> decode_grid(std::string_view bytes, std::size_t max_
     if (header.version != version || !low.allFinite() || !(header.spacing > 0.0) ||
         !(header.saturation > 0.0))
         return std::nullopt;
+    // Nodes along all axes or, without a surface, along none: rows of no nodes could be two billion, in a few bytes.
+    const auto none = std::count(header.nodes.begin(), header.nodes.end(), 0);
+    if (none != 0 && none != 3)
+        return std::nullopt;
     std::size_t count = 1;
     for (const std::int32_t n : header.nodes) {
         if (n < 0 || (n > 0 && count > max_nodes / static_cast<std::size_t>(n)))

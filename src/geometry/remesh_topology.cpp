@@ -41,6 +41,28 @@ int RemeshTopology::valence(int v) const {
     return count;
 }
 
+bool RemeshTopology::has_more_edges(int v, int most) const {
+    const int begin = first(v);
+    int h = begin, count = 0;
+    do {
+        if (++count > most)
+            return true;
+        h = twin(previous(h));
+    } while (h != begin);
+    return false;
+}
+
+bool RemeshTopology::are_joined(int a, int b) const {
+    int i = first(a), j = first(b);
+    do {
+        if (end(i) == b || end(j) == a)
+            return true;
+        i = twin(previous(i));
+        j = twin(previous(j));
+    } while (i != first(a) && j != first(b));
+    return false;
+}
+
 int RemeshTopology::split(int h, const Vec3& p) {
     const int o = twin(h);
     const int hn = next(h), on = next(o);
@@ -69,11 +91,7 @@ int RemeshTopology::split(int h, const Vec3& p) {
 
 bool RemeshTopology::may_flip(int h) const {
     const int c = opposite(h), d = opposite(twin(h));
-    if (c == d || valence(start(h)) <= 3 || valence(end(h)) <= 3)
-        return false;
-    bool joined = false;
-    for_edges_from(c, [&](int e) { joined |= end(e) == d; });
-    return !joined;
+    return c != d && has_more_edges(start(h), 3) && has_more_edges(end(h), 3) && !are_joined(c, d);
 }
 
 void RemeshTopology::flip(int h) {
@@ -94,17 +112,17 @@ void RemeshTopology::flip(int h) {
 }
 
 bool RemeshTopology::may_collapse(int h) const {
-    const int a = start(h), b = end(h), c = opposite(h), d = opposite(twin(h));
-    if (c == d || valence(c) <= 3 || valence(d) <= 3)
+    const int b = end(h), c = opposite(h), d = opposite(twin(h));
+    if (c == d || !has_more_edges(c, 3) || !has_more_edges(d, 3))
         return false;
-    bool fits = true; // the only common neighbours are c and d
-    for_edges_from(a, [&](int e) {
+    int e = h; // the only common neighbours are c and d
+    do {
         const int x = end(e);
-        if (x == b || x == c || x == d)
-            return;
-        for_edges_from(x, [&](int f) { fits &= end(f) != b; });
-    });
-    return fits;
+        if (x != b && x != c && x != d && are_joined(x, b))
+            return false;
+        e = twin(previous(e));
+    } while (e != h);
+    return true;
 }
 
 void RemeshTopology::collapse(int h, const Vec3& p) {

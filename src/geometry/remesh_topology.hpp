@@ -39,6 +39,10 @@ public:
         } while (h != begin);
     }
     int valence(int v) const;
+    /// Whether more than `most` edges start at v: takes no longer at the hub of a wheel.
+    bool has_more_edges(int v, int most) const;
+    /// Whether an edge joins a and b. As long as the smaller of both fans.
+    bool are_joined(int a, int b) const;
 
     const Vec3& position(int v) const { return positions[static_cast<std::size_t>(v)]; }
     double length(int h) const { return (position(start(h)) - position(end(h))).norm(); }

@@ -4,6 +4,7 @@
 #include "fascicle/base/text.hpp"
 #include "io/formats/text_scanner.hpp"
 
+#include <map>
 #include <set>
 
 namespace fascicle {
@@ -15,11 +16,13 @@ std::vector<std::string> made_unique(const std::vector<std::string>& names, cons
                                      const Made& made) {
     std::vector<std::string> out;
     std::set<std::string> taken;
+    std::map<std::string, int> numbers; // the next of each name: all before it are taken
     for (const std::string& name : names) {
         const std::string base = made(name.empty() ? "body" : name);
         std::string own = base;
-        for (int k = 2; !taken.insert(io::lower_case(own)).second; ++k)
-            own = base + between + std::to_string(k);
+        int& number = numbers.try_emplace(io::lower_case(base), 2).first->second;
+        while (!taken.insert(io::lower_case(own)).second)
+            own = base + between + std::to_string(number++);
         out.push_back(own);
     }
     return out;

@@ -16,6 +16,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::size_t most_shapes = 10'000'000;
+
 void write_glb_file(const fs::path& target, const Animation& animation, const AnimationOptions& options,
                     const JobControl& control) {
     AtomicFile file(target);
@@ -79,8 +81,17 @@ const AnimationFormat* recognise_animation(const fs::path& path) {
 }
 
 Animation read_animation(const fs::path& path) {
-    if (const AnimationFormat* format = recognise_animation(path))
-        return format->read(path);
+    if (const AnimationFormat* format = recognise_animation(path)) {
+        Animation animation = format->read(path);
+        // Each body is placed at each time of the file: a small one of many bodies that move at a time of their own each would be
+        // written for hours, and fill the disk.
+        if (animation.bodies.size() * animation.frame_count() > most_shapes)
+            throw_error(path.string(),
+                        std::to_string(animation.bodies.size()) + " bodies at " +
+                            std::to_string(animation.frame_count()) + " times",
+                        "at most 10 million shapes in all");
+        return animation;
+    }
     read_file(path); // says why, when it is no file
     std::string known;
     for (const AnimationFormat& row : animation_formats())

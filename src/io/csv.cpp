@@ -9,6 +9,12 @@
 
 namespace fascicle {
 
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf"; // of UTF-8
+
+} // namespace
+
 void CsvWriter::separate() {
     if (!first_)
         out_ << ',';
@@ -17,9 +23,10 @@ void CsvWriter::separate() {
 
 CsvWriter& CsvWriter::text(std::string_view cell) {
     separate();
-    // Blanks at the ends would be taken off a cell without quotes; separators of other tables are better kept apart, too.
+    // Blanks at the ends would be taken off a cell without quotes, and a byte order mark off the first cell of all;
+    // separators of other tables are better kept apart, too.
     if (cell.find_first_of(",;\t\"\r\n") == std::string_view::npos &&
-        io::trimmed(cell).size() == cell.size()) {
+        io::trimmed(cell).size() == cell.size() && !cell.starts_with(byte_order_mark)) {
         out_ << cell;
         return *this;
     }
@@ -51,8 +58,8 @@ void CsvWriter::end_row() {
 }
 
 CsvReader::CsvReader(std::string_view bytes, std::string file) : bytes_(bytes), file_(std::move(file)) {
-    if (bytes_.substr(0, 3) == "\xef\xbb\xbf") // UTF-8 byte order mark
-        position_ = 3;
+    if (bytes_.starts_with(byte_order_mark))
+        position_ = byte_order_mark.size();
     const std::size_t start = bytes_.find_first_not_of(" \t\r\n", position_);
     if (start == std::string_view::npos)
         throw_error(file_, "the file is empty", "a header row with column names");

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <mutex>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
@@ -89,21 +91,58 @@ void remove_empty_folders(fs::path folder, const fs::path& highest) {
         folder = folder.parent_path();
 }
 
-/// Temporary files of `path` whose program is no longer there.
-void remove_orphans(const fs::path& path) {
-    const std::string start = temporary_start(path);
-    std::error_code error;
-    for (fs::directory_iterator it(path.parent_path(), error), end; !error && it != end;
-         it.increment(error)) {
-        const std::string name = it->path().filename().string();
-        if (name.compare(0, start.size(), start) != 0)
-            continue;
-        char* rest = nullptr;
-        const long pid = std::strtol(name.c_str() + start.size(), &rest, 10);
-        std::error_code ignored;
-        if (pid > 0 && *rest == '-' && ::kill(static_cast<pid_t>(pid), 0) != 0 && errno == ESRCH)
-            fs::remove(it->path(), ignored);
+/// Whether a file's name is `start`, the number of a program that is no longer there, '-' and a number.
+bool is_orphan(const std::string& name, const std::string& start) {
+    if (name.compare(0, start.size(), start) != 0 || name.size() == start.size() ||
+        name.find_first_not_of("0123456789-", start.size()) != std::string::npos)
+        return false;
+    char* rest = nullptr;
+    const long pid = std::strtol(name.c_str() + start.size(), &rest, 10);
+    return pid > 0 && *rest == '-' && rest[1] != '\0' &&
+           std::strchr(rest + 1, '-') == nullptr && // else the number of something else
+           ::kill(static_cast<pid_t>(pid), 0) != 0 && errno == ESRCH;
+}
+
+/// Names in a folder that could be temporary files. A run writes thousands of files into one folder: it is listed once in some
+/// seconds, not once a file.
+class Leftovers {
+public:
+    std::vector<std::string> of(const fs::path& folder) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        const auto now = std::chrono::steady_clock::now();
+        if (folder != folder_ || now - listed_ > std::chrono::seconds(5)) {
+            names_.clear();
+            std::error_code error;
+            for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+                if (std::string name = it->path().filename().string();
+                    name.find(".part") != std::string::npos)
+                    names_.push_back(std::move(name));
+            folder_ = folder;
+            listed_ = now;
+        }
+        return names_;
     }
+
+private:
+    std::mutex mutex_;
+    fs::path folder_;
+    std::chrono::steady_clock::time_point listed_;
+    std::vector<std::string> names_;
+};
+
+/// Removes temporary files of `path` whose program is no longer there. Those of other names stay: they might be somebody's own.
+void remove_orphans(const fs::path& path) {
+    static Leftovers leftovers;
+    std::error_code error;
+    const fs::path folder =
+        path.has_parent_path() ? fs::absolute(path.parent_path(), error) : fs::current_path(error);
+    if (error ||
+        folder.filename().native().starts_with(hidden_folder)) // of this run, so that nothing is left in it
+        return;
+    const std::string start = temporary_start(path);
+    for (const std::string& name : leftovers.of(folder))
+        if (is_orphan(name, start))
+            fs::remove(folder / name, error);
 }
 
 } // namespace
@@ -243,13 +282,18 @@ void AtomicFile::Buffer::close() {
         reason = errno;
 }
 
+fs::path temporary_name(const fs::path& path) {
+    static std::atomic<unsigned> counter{0};
+    remove_orphans(path);
+    return path.parent_path() /
+           (temporary_start(path) + std::to_string(::getpid()) + "-" + std::to_string(counter++));
+}
+
 AtomicFile::AtomicFile(fs::path path)
     : path_((check_output_name(path), std::move(path))), folders_(path_.parent_path()) {
-    static std::atomic<unsigned> counter{0};
     // Never a file or link that somebody else put there: a number that is taken is passed over.
     for (int attempt = 0; attempt < 100 && buffer_.file < 0; ++attempt) {
-        temporary_ = path_.parent_path() /
-                     (temporary_start(path_) + std::to_string(::getpid()) + "-" + std::to_string(counter++));
+        temporary_ = temporary_name(path_);
         do
             buffer_.file = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         while (buffer_.file < 0 && errno == EINTR);
@@ -321,7 +365,6 @@ void write_document(const fs::path& path, const std::string& bytes) {
     file.commit(AtomicFile::Flush::to_disk);
     if (fs::exists(old))
         fs::permissions(target, old.permissions(), error);
-    remove_orphans(target);
 }
 
 } // namespace fascicle

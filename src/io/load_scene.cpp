@@ -159,6 +159,22 @@ void set_motion(LoadedScene& loaded, const SceneRequest& r) {
         loaded.notes.push_back("no bone moves: --angle-deg was not given or is 0");
 }
 
+/// The scene's unit; meshes of files that state another one are converted.
+void settle_units(LoadedScene& loaded, const SceneRequest& r) {
+    Scene& scene = loaded.scene;
+    std::vector<MeshPtr*> meshes;
+    std::vector<MeshSource*> sources;
+    for (Bone& bone : scene.bones) {
+        meshes.push_back(&bone.mesh);
+        sources.push_back(&bone.source);
+    }
+    for (Muscle& muscle : scene.muscles) {
+        meshes.push_back(&muscle.mesh);
+        sources.push_back(&muscle.source);
+    }
+    io::settle_units(meshes, sources, r.unit, scene.unit, loaded.notes);
+}
+
 LoadedScene load_meshes(const SceneRequest& r, const JobControl& control) {
     LoadedScene loaded;
     Scene& scene = loaded.scene;
@@ -194,10 +210,7 @@ LoadedScene load_meshes(const SceneRequest& r, const JobControl& control) {
     }
     io::require_unique_names(scene);
     scene.name = scene.muscles.empty() ? scene.bones[0].name : scene.muscles[0].name;
-    const UnitGuess guess = guess_length_unit(scene_diagonal(scene));
-    scene.unit = r.unit.value_or(guess.unit);
-    if (!r.unit)
-        loaded.notes.push_back(guess.sentence());
+    settle_units(loaded, r);
     io::load_muscle_files(scene, r, step, loaded.notes);
     if (r.motion.empty())
         set_motion(loaded, r);
@@ -214,7 +227,9 @@ void io::load_muscle_files(Scene& scene, const SceneRequest& r, const std::funct
     }
     for (const auto& [name, path] : r.surface_fibres) {
         step();
-        load_surface_fibres(muscle_named(scene, "--surface-fibres", name), path, notes);
+        Muscle& muscle = muscle_named(scene, "--surface-fibres", name);
+        load_surface_fibres(muscle, path, notes);
+        settle_fibre_unit(muscle, scene.unit, notes);
     }
 }
 

@@ -1,5 +1,6 @@
 #include "io/mesh_codec.hpp"
 
+#include "fascicle/geometry/float_rounding.hpp"
 #include "io/base64.hpp"
 
 #include <bit>
@@ -30,8 +31,7 @@ Word take(const std::string& bytes, std::size_t at) {
 bool fits_float(const Points& points) {
     for (const Vec3& p : points)
         for (int k = 0; k < 3; ++k)
-            if (std::bit_cast<std::uint64_t>(double(static_cast<float>(p[k]))) !=
-                std::bit_cast<std::uint64_t>(p[k]))
+            if (std::bit_cast<std::uint64_t>(rounded_to_float(p[k])) != std::bit_cast<std::uint64_t>(p[k]))
                 return false;
     return true;
 }

@@ -1,5 +1,7 @@
 #include "fascicle/io/mesh_convert.hpp"
 
+#include "fascicle/geometry/float_rounding.hpp"
+
 #include <algorithm>
 
 namespace fascicle {
@@ -71,7 +73,10 @@ std::vector<std::string> fit_to_format(MeshData& data, const MeshFormat& format)
                 "changed: the " + std::to_string(n) +
                 " vertices come back in the order in which triangles use them, unused ones not at all");
     if (!holds.doubles) {
-        const auto rounds = [](const Vec3& p) { return p.cast<float>().cast<double>() != p; };
+        const auto rounds = [](const Vec3& p) {
+            return rounded_to_float(p.x()) != p.x() || rounded_to_float(p.y()) != p.y() ||
+                   rounded_to_float(p.z()) != p.z();
+        };
         if (std::any_of(data.mesh.positions.begin(), data.mesh.positions.end(), rounds))
             notes.push_back("changed: coordinates are rounded to float, about 7 digits");
     }

@@ -1,8 +1,9 @@
 #include "fascicle/io/mesh_hints.hpp"
 
 #include "fascicle/base/param_table.hpp"
-#include "fascicle/io/files.hpp"
+#include "fascicle/io/mesh_stamp.hpp"
 #include "io/formats/text_scanner.hpp"
+#include "io/formats/vtp_field_data.hpp"
 
 #include <algorithm>
 #include <string>
@@ -45,6 +46,21 @@ std::optional<double> unit_of(const std::string& head) {
     return std::nullopt;
 }
 
+/// The field SPACE of a legacy VTK file, as 3D Slicer writes it: "SPACE 1 1 string", a line of its own with the text, in binary after a byte
+/// that is its length.
+std::optional<MeshSpace> space_of_vtk_field(const std::string& head) {
+    constexpr std::string_view mark = "space 1 1 string";
+    if (head.compare(0, 5, "# vtk") != 0)
+        return std::nullopt;
+    const std::size_t at = head.find(mark);
+    if (at == std::string::npos)
+        return std::nullopt;
+    const std::string text = head.substr(at + mark.size(), 8);
+    if (text.find("ras") != std::string::npos)
+        return MeshSpace::ras;
+    return text.find("lps") != std::string::npos ? std::optional(MeshSpace::lps) : std::nullopt;
+}
+
 /// metersPerUnit, in mm; a centimetre where nothing is said.
 double metres_of_usd(const std::string& head) {
     constexpr std::string_view key = "metersperunit = ";
@@ -61,8 +77,12 @@ double metres_of_usd(const std::string& head) {
 
 MeshHints find_mesh_hints(std::string_view bytes) {
     const std::string head = lower_head(bytes);
+    if (io::is_vtp_with_field_data(bytes))
+        return io::read_vtp_field_data(bytes).hints;
     MeshHints hints;
-    if (head.find("space=ras") != std::string::npos)
+    if (const auto field = space_of_vtk_field(head))
+        hints.space = field;
+    else if (head.find("space=ras") != std::string::npos)
         hints.space = MeshSpace::ras;
     else if (head.find("space=lps") != std::string::npos)
         hints.space = MeshSpace::lps;
@@ -75,7 +95,7 @@ MeshHints find_mesh_hints(std::string_view bytes) {
 }
 
 MeshHints read_mesh_hints(const std::filesystem::path& path) {
-    return find_mesh_hints(read_head(path, head_bytes));
+    return read_mesh_stamp(path).hints;
 }
 
 } // namespace fascicle

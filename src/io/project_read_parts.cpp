@@ -148,39 +148,47 @@ void ProjectReader::markers(Scene& scene) {
 }
 
 void ProjectReader::parameters(const JsonFields& entry, Scene& scene) {
+    const auto naming_the_file = [&](const char* part, const auto& set) {
+        try {
+            set();
+        } catch (const Error& error) {
+            throw_error(file_.string() + ", " + part, error.what());
+        }
+    };
     // The method first: it decides what the values that were not edited are.
-    if (entry.has("solver.method"))
-        set_method(scene.parameters, entry.text("solver.method"));
+    if (entry.has("solver.method")) {
+        const std::string method = entry.text("solver.method");
+        naming_the_file("parameters", [&] { set_method(scene.parameters, method); });
+    }
     if (fields_.has("parameter_defaults")) {
         std::map<std::string, double> defaults;
         const JsonFields given = fields_.object("parameter_defaults");
         for (const ParamRow& row : scene.parameters.table().rows())
             if (row.kind != ParamKind::choice)
                 defaults[row.key] = given.number(row.key.c_str(), scene.parameters.default_value(row.key));
-        try {
+        naming_the_file("parameter_defaults", [&] {
             ParamSet checked = scene.parameters; // set_defaults() takes anything
             for (const auto& [key, value] : defaults)
                 checked.set(key, value);
             scene.parameters.set_defaults(defaults);
-        } catch (const Error& error) {
-            throw_error(file_.string() + ", parameter_defaults", error.what());
-        }
+        });
     }
-    for (const auto& [key, value] : entry.json().items()) {
+    for (const auto& item : entry.json().items()) {
+        const std::string& key = item.key();
         if (scene.parameters.table().find(key) == nullptr) {
             notes_->push_back("parameter " + key + " is not known and has no effect");
             continue;
         }
         if (key == "solver.method")
             continue;
-        try {
-            if (value.is_string())
-                scene.parameters.set_text(key, value.get<std::string>());
+        const bool is_text = item.value().is_string();
+        const double number = is_text ? 0 : entry.number(key.c_str(), 0.0);
+        naming_the_file("parameters", [&] {
+            if (is_text)
+                scene.parameters.set_text(key, item.value().get<std::string>());
             else
-                scene.parameters.set(key, entry.number(key.c_str(), 0.0));
-        } catch (const Error& error) {
-            throw_error(file_.string() + ", parameters", error.what());
-        }
+                scene.parameters.set(key, number);
+        });
     }
 }
 

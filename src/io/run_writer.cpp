@@ -6,7 +6,7 @@
 #include "fascicle/io/fibre_files.hpp"
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/line_table.hpp"
-#include "fascicle/io/mesh_file.hpp"
+#include "fascicle/io/mesh_stamp.hpp"
 #include "fascicle/io/output_folder.hpp"
 #include "fascicle/io/series_file.hpp"
 #include "fascicle/io/staged_files.hpp"
@@ -14,7 +14,6 @@
 #include "fascicle/scene/line_muscles.hpp"
 #include "fascicle/scene/model_motion.hpp"
 #include "io/formats/pvd.hpp"
-#include "io/formats/vtp.hpp"
 #include "io/run_files.hpp"
 #include "io/run_summary.hpp"
 
@@ -73,9 +72,7 @@ void RunWriter::Impl::write_bones() const {
     for (const Bone& bone : scene->bones) {
         MeshData data;
         data.mesh = *bone.mesh;
-        AtomicFile file(folder / io::bone_file(bone.name));
-        io::write_vtp(file.stream(), data);
-        file.commit();
+        write_stamped_file(folder / io::bone_file(bone.name), data, stamp_of(scene->unit));
     }
 }
 
@@ -103,9 +100,8 @@ void RunWriter::Impl::write_frame(const Frame& frame, const std::vector<std::vec
         data.point_arrays = attachment_arrays(m);
         if (m < arrays.size())
             data.point_arrays.insert(data.point_arrays.end(), arrays[m].begin(), arrays[m].end());
-        AtomicFile file(folder / io::frame_file(scene->muscles[m].name, frame.index));
-        io::write_vtp(file.stream(), data);
-        file.commit();
+        write_stamped_file(folder / io::frame_file(scene->muscles[m].name, frame.index), data,
+                           stamp_of(scene->unit));
     }
     vtp_frames.push_back(frame.index);
 }
@@ -232,8 +228,8 @@ void RunWriter::Impl::write_fibres(const Recording& recording,
         std::vector<std::pair<double, std::string>> steps;
         for (const int k : vtp_frames) {
             models.at(m)->carrier.carry(*recording.frame(k)->muscle_positions[m], fibres.points);
-            write_mesh_file(folder / fibre_file(scene->muscles[m].name, k),
-                            fibre_lines(*series[m], k, fibres));
+            write_stamped_file(folder / fibre_file(scene->muscles[m].name, k),
+                               fibre_lines(*series[m], k, fibres), stamp_of(scene->unit));
             steps.emplace_back(k * scene->parameters.get("solver.frame_time"),
                                fibre_file(scene->muscles[m].name, k).filename().string());
         }

@@ -19,6 +19,9 @@ void write_storage(std::ostream& out, const StorageTable& table) {
                         "a name without tabs and line ends");
         out << (c == 0 ? "" : "\t") << table.columns[c];
     }
+    // Without any tab blanks would separate names: one column whose name has blanks would come back as several.
+    if (table.columns.size() == 1 && table.columns[0].find_first_of(" \v\f") != std::string::npos)
+        out << '\t';
     out << '\n';
     for (std::size_t r = 0; r < table.row_count(); ++r)
         for (std::size_t c = 0; c < table.columns.size(); ++c)

@@ -216,10 +216,7 @@ VideoEncoder::VideoEncoder(const fs::path& encoder, fs::path file, int width, in
     check_output_name(me.file);
     me.folders = std::make_unique<MadeFolders>(folder);
     // A whole path, so that no name looks like an option of the encoder.
-    fs::path part = ".";
-    part += me.file.filename().string().substr(0, 220); // a name has 255 bytes at most
-    part += ".part-" + std::to_string(::getpid());
-    me.part = folder / part;
+    me.part = temporary_name(folder / me.file.filename());
     me.start(arguments(encoder, me.part, width, height, fps));
 }
 

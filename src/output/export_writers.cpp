@@ -5,7 +5,7 @@
 #include "fascicle/io/animation.hpp"
 #include "fascicle/io/fibre_files.hpp"
 #include "fascicle/io/files.hpp"
-#include "fascicle/io/mesh_file.hpp"
+#include "fascicle/io/mesh_stamp.hpp"
 #include "fascicle/io/metrics_json.hpp"
 #include "fascicle/io/osim_export.hpp"
 #include "fascicle/io/output_folder.hpp"
@@ -137,7 +137,7 @@ void write_meshes(const ExportRequest& request, const Recording& recording, cons
         metrics.measure(*frame);
         const auto write = [&](const std::string& name, const MeshData& data) {
             const std::string file = numbered(name, frame->index);
-            write_mesh_file(files.place() / file, data);
+            write_stamped_file(files.place() / file, data, stamp_of(recording.scene().unit));
             series[name].emplace_back(frame->index * frame_time, file);
         };
         const auto arrays = point_arrays(metrics, scene.muscles.size());
@@ -221,7 +221,8 @@ void write_fibres(const ExportRequest& request, const Recording& recording, cons
             const FramePtr frame = recording.frame(places[i]);
             models.at(m)->carrier.carry(*frame->muscle_positions[m], fibres.points);
             const std::string file = numbered(names[m] + "_fibres", frame->index);
-            write_mesh_file(files.place() / file, fibre_lines(*series[m], frame->index, fibres));
+            write_stamped_file(files.place() / file, fibre_lines(*series[m], frame->index, fibres),
+                               stamp_of(recording.scene().unit));
             steps.emplace_back(frame->index * frame_time, file);
         }
         write_series_file(files.place() / (names[m] + "_fibres.pvd"), steps);

@@ -211,7 +211,8 @@ PreparedMuscle prepare_muscle(const Scene& scene, const Muscle& muscle, const So
                                                  prepared.fibres.get(), method.needs_grid);
     if (anisotropy > 0.0 && !tangents.empty())
         problem.edge_softness = edge_softness(*muscle.mesh, topology, tangents, anisotropy);
-    if (method.needs_grid && scene.parameters.get("solver.tone") > 0.0)
+    // xpbd needs them for its tone alone, rivals with tetrahedra read their fibres from them.
+    if (method.needs_grid && (scene.parameters.get("solver.tone") > 0.0 || method.name != "xpbd"))
         problem.edge_along = edge_alignment(*muscle.mesh, topology, tangents);
     if (problem.edge_softness.empty() && scene.parameters.get("solver.anisotropy") > 0.0)
         notes.push_back(muscle.name + ": no fibres and no pair of attachments, so it is isotropic");

@@ -4,7 +4,7 @@
    FAULT_FOLDER  files below it are watched; everything else goes through uncounted
    FAULT_AT      number of the call that fails, from 1; 0 or unset: none, only counted
    FAULT_KIND    ENOSPC: from FAULT_AT on nothing can be made or grow (renaming and removing still work, as on a full disk);
-                 EIO, EROFS: that one call; EINTR: that one call, without effect; SHORT: that one write takes half of its bytes
+                 EIO, EROFS: that one call; KILL: the program is gone by SIGKILL before it; EINTR: that one call, without effect; SHORT: that one write takes half of its bytes
    FAULT_COUNT   a file that the number of calls is written to at the end
 */
 #define _GNU_SOURCE
@@ -12,6 +12,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdatomic.h>
 #include <stdio.h>
@@ -63,6 +64,8 @@ static int fault(enum call what) {
         return what == makes_or_grows || what == opens_or_writes ? ENOSPC : 0;
     if (number != wanted)
         return 0;
+    if (is_kind("KILL"))
+        kill(getpid(), SIGKILL);
     if (is_kind("EINTR"))
         return what == opens_or_writes ? EINTR : 0; /* others never tell it, or have done their work */
     if (is_kind("SHORT"))

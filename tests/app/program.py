@@ -7,6 +7,7 @@ import hashlib
 import os
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -15,6 +16,14 @@ PROGRAM = os.environ["FASCICLE_PROGRAM"]
 SOURCE_DIR = Path(os.environ["FASCICLE_SOURCE_DIR"])
 SANITIZED = bool(os.environ.get("FASCICLE_SANITIZE"))
 TIMEOUT = 240
+
+
+def _say_skip(result, test, reason, add=unittest.TextTestResult.addSkip):
+    print(f"fascicle-skip: {test.id()}: {reason}", file=sys.stderr)  # tools/skipped_tests.py looks for it in CTest's log
+    add(result, test, reason)
+
+
+unittest.TextTestResult.addSkip = _say_skip
 
 
 class ProgramTest(unittest.TestCase):

@@ -31,8 +31,12 @@ class ConvertTest(ProgramTest):
                     self.assertEqual((self.folder / "c.obj").read_bytes().strip(), normal)
             text = self.check_done("info", *(f"b.{b}" for b in FORMATS))
             for line in (f"  vertices      {self.vertices}", f"  triangles     {self.triangles}", "  surface       closed",
-                         "  defects       none", "  unit          mm (guessed from the size)"):
+                         "  defects       none"):
                 self.assertEqual(text.splitlines().count(line), len(FORMATS), f"{a}: {line}\n{text}")
+            # What says metres is carried on as that, though the size tells otherwise.
+            said = {"glb", "usda"} if a not in ("glb", "usda") else set(FORMATS)
+            self.assertEqual(text.count("unit          m (as the file says, though the size fits mm)"), len(said), text)
+            self.assertEqual(text.count("unit          mm (guessed from the size)"), len(FORMATS) - len(said), text)
 
     def normal(self):
         self.check_done("convert", "box.obj", "normal.obj")
@@ -54,6 +58,25 @@ class ConvertTest(ProgramTest):
         self.assertEqual(values["point arrays"], "RGB (3), quality")
         self.assertEqual(values["polylines"], "1")
         self.assertIn("LPS", self.values("rich.ply")["file's frame"])
+
+    def test_names_of_arrays_steer_no_terminal(self):
+        lines = ["# vtk DataFile Version 3.0", "x", "ASCII", "DATASET POLYDATA", "POINTS 3 float", "0 0 0", "1 0 0", "0 1 0",
+                 "POLYGONS 1 4", "3 0 1 2", "POINT_DATA 3", "SCALARS a\x1b[2Jb float 1", "LOOKUP_TABLE default", "1", "2", "3"]
+        (self.folder / "a.vtk").write_text("\n".join(lines) + "\n")
+        (self.folder / "b.vtk").write_bytes("\n".join(lines).replace("a\x1b[2Jb", "caf\xe9").encode("latin-1") + b"\n")
+        for source in ("a.vtk", "b.vtk"):
+            for target in ("a.vtp", "a.ply", "a.obj", "b.vtk", "a.stl"):
+                if source == target:
+                    continue
+                result = self.run_program("convert", source, target, encoding="latin-1")
+                self.assertEqual(result.returncode, 0, result.stderr)
+                for text in (result.stdout, result.stderr):
+                    self.assertFalse([c for c in text if c < " " and c != "\n"], repr(text))
+                self.assertIn("a [2Jb" if source == "a.vtk" else "caf", result.stdout)
+            if source == "a.vtk":
+                (self.folder / "b.vtk").write_bytes("\n".join(lines).replace("a\x1b[2Jb", "caf\xe9").encode("latin-1") + b"\n")
+        self.assertEqual(self.run_program("convert", "b.vtk", "c.vtp", encoding="latin-1").returncode, 0)
+        self.assertIn("caf\ufffd", (self.folder / "c.vtp").read_bytes().decode("utf-8"))
 
     def test_units_only_when_asked(self):
         self.assertEqual(self.values("box.obj")["box"], "0.1 0 0 to 20 30 50")

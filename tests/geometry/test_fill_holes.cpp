@@ -83,5 +83,7 @@ TEST_CASE("Axis mappings are rotations, and OpenSim's is its inverse's inverse",
     CHECK(axis_matrix(AxisMapping::lps_to_opensim) * Vec3(0, -1, 0) == Vec3(1, 0, 0));
     CHECK(axis_matrix(AxisMapping::lps_to_opensim) * Vec3(0, 0, 1) == Vec3(0, 1, 0));
     CHECK(axis_matrix(AxisMapping::lps_to_opensim) * Vec3(-1, 0, 0) == Vec3(0, 0, 1));
+    CHECK(axis_matrix(AxisMapping::y_up_to_lps) * axis_matrix(AxisMapping::lps_to_y_up) == Mat3::Identity());
+    CHECK(axis_matrix(AxisMapping::lps_to_y_up) * Vec3(1, 2, 3) == Vec3(1, 3, -2)); // as glTF is written
     CHECK(axis_matrix(AxisMapping::ras_to_lps) * Vec3(1, 1, 1) == Vec3(-1, -1, 1));
 }

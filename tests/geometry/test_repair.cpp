@@ -1,6 +1,8 @@
 // repair(): one kind of defect after the other, on shapes whose repaired form is known.
 #include "geometry/repair_shapes.hpp"
 
+#include <cmath>
+#include <ctime>
 #include <limits>
 #include <set>
 
@@ -426,6 +428,26 @@ TEST_CASE("A million triangles on one point are gone in no time", "[repair]") {
     const RepairResult r = repair(mesh);
     CHECK(r.reason == "no surface is left that encloses anything");
     CHECK(r.new_of_old[0] == -1);
+}
+
+TEST_CASE("Wheels with very many spokes are repaired in no time", "[repair]") {
+    // Two hubs over one rim, whose edges are so short that they collapse.
+    constexpr int spokes = 50000;
+    TriMesh wheel;
+    wheel.positions = {{0, 0, 1}, {0, 0, -1}};
+    for (int i = 0; i < spokes; ++i) {
+        const double u = 2 * 3.14159265358979323846 * i / spokes;
+        wheel.positions.emplace_back(std::cos(u), std::sin(u), 0);
+        const int a = 2 + i, b = 2 + (i + 1) % spokes;
+        wheel.triangles.push_back({0, a, b});
+        wheel.triangles.push_back({1, b, a});
+    }
+    const std::clock_t start = std::clock();
+    const RepairResult r = repair(wheel);
+    CHECK(double(std::clock() - start) / CLOCKS_PER_SEC < 20); // once round the hub for each spoke: minutes
+    check_good(r);
+    CHECK(volume(r.mesh) == Approx(2 * 3.14159265358979323846 / 3).epsilon(1e-3));
+    CHECK(r.mesh.vertex_count() < spokes / 4);
 }
 
 TEST_CASE("Values and labels follow the vertices", "[repair]") {

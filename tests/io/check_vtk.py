@@ -324,5 +324,34 @@ def volume(data):
     return mass.GetVolume()
 
 
+    def test_unit_and_frame_in_field_data(self):
+        data, space = surface(), vtk.vtkStringArray()
+        space.SetName("SPACE")  # as 3D Slicer says it
+        space.InsertNextValue("RAS")
+        data.GetFieldData().AddArray(space)
+        for mode in (vtk.vtkXMLWriter.Ascii, vtk.vtkXMLWriter.Binary, vtk.vtkXMLWriter.Appended):
+            for packed in (False, True):
+                for encoded in (False, True):
+                    writer = vtk.vtkXMLPolyDataWriter()
+                    writer.SetFileName(str(self.folder / "slicer.vtp"))
+                    writer.SetInputData(data)
+                    writer.SetDataMode(mode)
+                    writer.SetEncodeAppendedData(encoded)
+                    if not packed:
+                        writer.SetCompressorTypeToNone()
+                    writer.Write()
+                    self.assertIn("file's frame  RAS", self.check_done("info", "slicer.vtp"), (mode, packed, encoded))
+        for binary in (False, True):
+            writer = vtk.vtkPolyDataWriter()
+            writer.SetFileName(str(self.folder / "slicer.vtk"))
+            writer.SetInputData(data)
+            writer.SetFileTypeToBinary() if binary else writer.SetFileTypeToASCII()
+            writer.Write()
+            self.assertIn("file's frame  RAS", self.check_done("info", "slicer.vtk"), binary)
+        self.check_done("convert", "slicer.vtp", "ours.vtp", "--units", "m", "--axes", "ras_to_lps")
+        fields = vtk_read(self.folder / "ours.vtp").GetFieldData()
+        self.assertEqual(fields.GetAbstractArray("SPACE").GetValue(0), "LPS")
+        self.assertEqual(fields.GetArray("MILLIMETRES_PER_UNIT").GetValue(0), 1000)
+
 if __name__ == "__main__":
     unittest.main()

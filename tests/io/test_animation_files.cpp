@@ -4,6 +4,7 @@
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/mesh_file.hpp"
 #include "fascicle/io/mesh_hints.hpp"
+#include "support/growth.hpp"
 #include "support/moving_bodies.hpp"
 #include "support/temp_dir.hpp"
 
@@ -258,4 +259,14 @@ TEST_CASE("Names are made different, safe for files, and identifiers", "[io][ani
           std::vector<std::string>{"_.._x", "x_y", "x_y_2", "_.hidden"});
     CHECK(unique_identifiers({"1 b", "m\xC3\xBCskel", "m??skel"}) ==
           std::vector<std::string>{"_1_b", "m__skel", "m__skel_2"});
+}
+
+TEST_CASE("Very many bodies of one name get names quickly", "[io][animation][unit]") {
+    CHECK(unique_identifiers({"b", "b_2", "B", "b", "b_3"}) ==
+          std::vector<std::string>{"b", "b_2", "B_3", "b_4", "b_3_2"});
+    CHECK(growth(3000, [](int n) {
+              const auto names =
+                  unique_identifiers(std::vector<std::string>(static_cast<std::size_t>(n), "body"));
+              CHECK(names.back() == "body_" + std::to_string(n));
+          }) < 9);
 }

@@ -3,16 +3,19 @@
 #include "fascicle/base/error.hpp"
 #include "fascicle/io/animation_file.hpp"
 #include "fascicle/io/files.hpp"
+#include "fascicle/io/mesh_file.hpp"
 #include "io/formats/gltf_read.hpp"
 #include "io/formats/gltf_write.hpp"
 #include "io/formats/point_cache.hpp"
 #include "io/formats/usda_read.hpp"
 #include "io/formats/usda_write.hpp"
+#include "support/growth.hpp"
 #include "support/moving_bodies.hpp"
 #include "support/temp_dir.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstring>
+#include <limits>
 #include <random>
 #include <sstream>
 
@@ -46,7 +49,7 @@ std::string usda_sample() {
 std::string cache_sample(bool pc2) {
     std::ostringstream out;
     const Animation animation = small();
-    (pc2 ? io::write_pc2 : io::write_mdd)(out, animation.bodies[0], animation, {});
+    (pc2 ? io::write_pc2 : io::write_mdd)(out, animation.bodies[0], animation, {}, "sample");
     return out.str();
 }
 
@@ -201,6 +204,29 @@ TEST_CASE("hostile glTF is refused with a reason", "[io][malformed][animation]")
         Catch::Contains("again and again"));
 }
 
+TEST_CASE("A glTF mesh of very many primitives is read quickly, those of one accessor as one body",
+          "[io][malformed][animation]") {
+    const auto read = [](int primitives) {
+        std::string accessors, list;
+        for (int i = 0; i < primitives; ++i) {
+            accessors += std::string(i > 0 ? "," : "") +
+                         R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"})";
+            list +=
+                std::string(i > 0 ? "," : "") + R"({"attributes":{"POSITION":)" + std::to_string(i) + "}}";
+        }
+        return io::read_glb(
+            glb_of(R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":64}],"bufferViews":)"
+                   R"([{"buffer":0,"byteLength":36}],"accessors":[)" +
+                   accessors + R"(],"meshes":[{"primitives":[)" + list + "," + list +
+                   R"(]}],"nodes":[{"mesh":0}]})"),
+            "many.glb");
+    };
+    const Animation found = read(7);
+    REQUIRE(found.bodies.size() == 7);
+    CHECK(found.bodies.back().triangles.size() == 2);
+    CHECK(growth(4000, [&](int n) { CHECK(read(n).bodies.size() == std::size_t(n)); }) < 9);
+}
+
 TEST_CASE("hostile USD text is refused with a reason", "[io][malformed][animation]") {
     const auto error = [](const std::string& text) { return error_of("#usda 1.0\n" + text, io::read_usda); };
     CHECK_THAT(error_of("PXR-USDC", io::read_usda), Catch::Contains("usdcat"));
@@ -228,6 +254,57 @@ TEST_CASE("hostile USD text is refused with a reason", "[io][malformed][animatio
     CHECK_THAT(mesh("point3f[] points = [(0, 0, 0)]\nfloat xformOp:foo = 1\nuniform token[] xformOpOrder = "
                     "[\"xformOp:foo\"]"),
                Catch::Contains("xformOp:foo"));
+}
+
+TEST_CASE("Very many bodies at very many times are refused before anything is written",
+          "[io][malformed][animation]") {
+    const TempDir folder;
+    std::string text = "#usda 1.0\n";
+    constexpr int bodies = 4000;
+    for (int i = 0; i < bodies; ++i) {
+        const std::string number = std::to_string(i);
+        text += "def Mesh \"m" + number + "\" { point3f[] points.timeSamples = { " + number +
+                ": [(0,0,0),(1,0,0),(0,1,0)] } int[] faceVertexCounts = [3] int[] faceVertexIndices = "
+                "[0,1,2] }\n";
+    }
+    write_file(folder.path() / "many.usda", text);
+    CHECK_THROWS_WITH(
+        read_animation(folder.path() / "many.usda"),
+        Catch::Contains("many.usda: 4000 bodies at 4000 times; expected at most 10 million shapes"));
+    CHECK(read_mesh_data(folder.path() / "many.usda").mesh.triangle_count() ==
+          bodies); // its first frame alone
+}
+
+TEST_CASE("Point caches refuse coordinates and times that no float holds", "[io][malformed][animation]") {
+    const TempDir folder;
+    const auto refused = [&](const char* key, const Animation& animation, const std::string& words) {
+        const std::string name = std::string("fibres.") + key;
+        CHECK_THROWS_WITH(find_animation_format(key)->write(folder.path(), animation, {}, {}),
+                          Catch::Contains(name + ": ") && Catch::Contains(words));
+        CHECK_FALSE(std::filesystem::exists(folder.path() / name));
+    };
+    for (const char* key : {"pc2", "mdd"})
+        for (const double bad : {1e39, -1e200, 3.41e38}) {
+            Animation animation = small();
+            animation.bodies[0].points = [bad](std::size_t k, Points& points) {
+                points.assign(6, Vec3::Zero());
+                if (k == 2)
+                    points[5].z() = bad;
+            };
+            refused(key, animation, "a coordinate is beyond 3402823");
+        }
+    Animation animation = small();
+    animation.seconds.back() = 1e39;
+    refused("mdd", animation, "a time is beyond 3402823");
+    animation.seconds = {1e9, 1e9 + 1, 1e9 + 2}; // floats lie 64 apart there
+    refused("mdd", animation, "is at the time of the one before it");
+    // The largest float itself is one.
+    animation = small();
+    animation.bodies[0].points = [](std::size_t, Points& points) {
+        points.assign(6, Vec3::Constant(std::numeric_limits<float>::max()));
+    };
+    std::ostringstream out;
+    CHECK_NOTHROW(io::write_pc2(out, animation.bodies[0], animation, {}, "sample"));
 }
 
 TEST_CASE("A series for ParaView names only files below its own folder", "[io][malformed][animation]") {

@@ -5,6 +5,8 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 using namespace fascicle;
 using Catch::Contains;
@@ -83,4 +85,40 @@ TEST_CASE("a full disk is told with the file and the system's words", "[io][file
     CHECK_THROWS_WITH(write_file("/dev/full", "x"), Contains("/dev/full: cannot write: is a device"));
     CHECK(shown_path("/a/.fascicle-part-12-0/frames/x") == "/a/frames/x");
     CHECK(shown_path("a/b") == "a/b");
+}
+
+TEST_CASE("temporary files of killed programs go with the next file of that name, nothing else does",
+          "[io][files]") {
+    const TempDir dir;
+    const pid_t child = ::fork(); // its number is nobody's once it has been waited for
+    REQUIRE(child >= 0);
+    if (child == 0)
+        ::_exit(0);
+    REQUIRE(::waitpid(child, nullptr, 0) == child);
+    const std::string dead = std::to_string(child), alive = std::to_string(::getpid());
+    const std::vector<std::string> stay = {"out.vtp.part" + alive + "-7",
+                                           "out.vtp.part" + dead,
+                                           "out.vtp.part" + dead + "-",
+                                           "out.vtp.part" + dead + "-0.bak",
+                                           "out.vtp.part" + dead + "-0-1",
+                                           "out.vtp.part-" + dead + "-1",
+                                           "out.vtp.partition",
+                                           "other.vtp.part" + dead + "-0",
+                                           "out.vtp.part1-0",
+                                           "more out.vtp.part" + dead + "-0"};
+    const std::vector<std::string> go = {"out.vtp.part" + dead + "-0", "out.vtp.part" + dead + "-12345"};
+    for (const auto* names : {&stay, &go})
+        for (const std::string& name : *names)
+            std::ofstream(dir.path() / name) << "half";
+    {
+        const AtomicFile file(dir.path() / "out.vtp"); // given up: they go all the same
+        for (const std::string& name : go)
+            CHECK_FALSE(fs::exists(dir.path() / name));
+    }
+    for (const std::string& name : stay) {
+        INFO(name);
+        CHECK(fs::exists(dir.path() / name));
+    }
+    CHECK(std::distance(fs::directory_iterator(dir.path()), fs::directory_iterator()) ==
+          static_cast<std::ptrdiff_t>(stay.size()));
 }

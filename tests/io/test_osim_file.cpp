@@ -304,13 +304,14 @@ TEST_CASE("osim: what is no model is told, and takes no memory", "[io][osim]") {
     fails("<OpenSimDocument Version=\"10000\"/>", "version is 10000");
     fails("<OpenSimDocument Version=\"40000\"/>", "no Model");
     fails(std::string("<OpenSimDocument>\0</OpenSimDocument>", 36), "zero byte");
-    // Entities that grow a thousandfold at each step stay the few letters that they are.
+    // Entities that grow a thousandfold at each step: no document type is taken.
     std::string bomb = "<!DOCTYPE x [<!ENTITY a \"aaaaaaaaaa\">";
     for (char c = 'b'; c < 'k'; ++c)
         bomb += std::string("<!ENTITY ") + c + " \"&" + static_cast<char>(c - 1) + ";&" +
                 static_cast<char>(c - 1) + ";\">";
     bomb += "]><OpenSimDocument Version=\"40000\"><Model name=\"&j;\"></Model></OpenSimDocument>";
-    CHECK(read_osim(bomb, "bomb.osim").model.name == "&j;");
+    fails(bomb, "a document type");
+    fails("<?xml version=\"1.0\"?>\n\n" + bomb, "line 3");
     // Very deep, and very many.
     std::string deep = "<OpenSimDocument Version=\"40000\"><Model>";
     for (int i = 0; i < 200000; ++i)

@@ -7,6 +7,7 @@
 #include "fascicle/metrics/line_series.hpp"
 #include "fascicle/scene/model_motion.hpp"
 #include "fascicle/simulation/simulation.hpp"
+#include "io/osim_scene/osim_bones.hpp"
 #include "support/json_schema.hpp"
 #include "support/osim_scene.hpp"
 
@@ -180,6 +181,48 @@ TEST_CASE("Meshes are found as OpenSim finds them, and missing ones are named", 
     files.model("base.obj", "../../etc/passwd");
     files.ball("Geometry/base.obj", Vec3(0.2, -0.018, 0));
     CHECK_THAT(error_of(r), Contains("no bone moves")); // that file was not even looked at
+}
+
+TEST_CASE("A model that names one large mesh again and again is refused, and a file is read once",
+          "[io][osim_scene]") {
+    const OsimFiles files;
+    std::string points;
+    for (int i = 0; i < 13000; ++i)
+        points += "v 0 0 0\n";
+    points += "v 0 0 1\nv 0 1 0\nf 1 13001 13002\n";
+    write_file(files.path("Geometry/many.obj"), points);
+    std::string names = "many.obj";
+    for (int i = 0; i < 400; ++i)
+        names += "</mesh_file></Mesh><Mesh name=\"m\"><mesh_file>many.obj";
+    files.model("base.obj", names);
+    SceneRequest r = files.request();
+    CHECK_THAT(
+        error_of(r),
+        Contains("arm.osim") &&
+            Contains(
+                "the meshes of body 'arm_r' have more than 5 million points or triangles with many.obj"));
+
+    // What its reader says is said once.
+    MeshData data;
+    data.mesh = sphere(0.015, 2, Vec3(0, 0.032, 0));
+    write_mesh_file(files.path("Geometry/ball.stl"), data);
+    files.model("base.obj", "ball.stl</mesh_file></Mesh><Mesh name=\"m\"><mesh_file>ball.stl");
+    const LoadedScene loaded = load_scene(r);
+    CHECK(std::count_if(loaded.notes.begin(), loaded.notes.end(), [](const std::string& note) {
+              return note.find("ball.stl: ") != std::string::npos &&
+                     note.find("corners of triangles") != std::string::npos;
+          }) == 1);
+
+    // Bodies together.
+    io::ModelMeshes meshes(files.path("arm.osim"));
+    io::ModelMeshes::Part part{"part.obj", {}};
+    part.mesh.positions.assign(io::ModelMeshes::most_in_body, Vec3::Zero());
+    Body body;
+    body.name = "b";
+    for (std::size_t i = 0; i < io::ModelMeshes::most_in_all / io::ModelMeshes::most_in_body; ++i)
+        CHECK_NOTHROW(meshes.use(part, body, {}));
+    CHECK_THROWS_WITH(meshes.use(part, body, {}),
+                      Contains("its bodies have more than 20 million points or triangles with part.obj"));
 }
 
 TEST_CASE("Own meshes in millimetres go with a model in metres", "[io][osim_scene]") {

@@ -1,6 +1,8 @@
 #include "fascicle/base/error.hpp"
+#include "fascicle/base/text.hpp"
 #include "fascicle/io/files.hpp"
 #include "io/formats/vtp.hpp"
+#include "support/growth.hpp"
 #include "support/shapes.hpp"
 
 #include <catch2/catch.hpp>
@@ -107,6 +109,46 @@ TEST_CASE("VTP: an array that not every piece has is passed over, not cut short"
     CHECK(data.point_arrays.empty());
     REQUIRE(data.notes.size() == 1);
     CHECK_THAT(data.notes[0], Contains("'a' is not in every piece"));
+}
+
+TEST_CASE("VTP: pieces of very many arrays are put together quickly, arrays of one name in their order",
+          "[io][vtp]") {
+    const auto pieces = [](int arrays) {
+        std::string data;
+        for (int i = 0; i < arrays; ++i)
+            data += array("a" + std::to_string(i), std::to_string(i));
+        const std::string one = "<Points>" + array("p", "0 0 0") + "</Points><PointData>" +
+                                array("twice", "1") + array("twice", "2") + data + "</PointData>";
+        const std::string counts = "NumberOfPoints=\"1\"";
+        return file(counts, one + "</Piece><Piece " + counts + ">" + one);
+    };
+    const MeshData found = read(pieces(3));
+    REQUIRE(found.point_arrays.size() == 5);
+    CHECK(found.point_arrays[0].values == std::vector<double>{1, 1});
+    CHECK(found.point_arrays[1].values == std::vector<double>{2, 2});
+    CHECK(found.point_arrays[2].values == std::vector<double>{0, 0});
+    CHECK(found.point_arrays[4].values == std::vector<double>{2, 2});
+    CHECK(found.notes.empty());
+    CHECK(growth(10000, [&](int n) { CHECK(read(pieces(n)).point_arrays.size() == std::size_t(n) + 2); }) <
+          9);
+}
+
+TEST_CASE("VTP: names of arrays that are no text of XML are written as text", "[io][vtp]") {
+    MeshData data;
+    data.mesh = tetrahedron();
+    for (const char* name : {"caf\xE9", "\xC0\x80", "b\x1B[2Jc", "\xEF\xBF\xBF", "gro\xC3\x9F"})
+        data.point_arrays.push_back({name, 1, {1, 2, 3, 4}});
+    const std::string text = written(data);
+    CHECK(valid_utf8(text) == text);
+    CHECK(text.find('\x1B') == std::string::npos);
+    const MeshData again = read(text);
+    REQUIRE(again.point_arrays.size() == 5);
+    CHECK(again.point_arrays[0].name == "caf\xEF\xBF\xBD");
+    CHECK(again.point_arrays[1].name == "\xEF\xBF\xBD\xEF\xBF\xBD");
+    CHECK(again.point_arrays[2].name == "b [2Jc");
+    CHECK(again.point_arrays[3].name == "\xEF\xBF\xBD");
+    CHECK(again.point_arrays[4].name == "gro\xC3\x9F");
+    CHECK(written(again) == text);
 }
 
 TEST_CASE("VTP: mistakes name the line", "[io][vtp]") {

@@ -44,6 +44,25 @@ TEST_CASE("fast plan: the vertex order is a permutation that brings neighbours t
     CHECK(span < int(order.size()) / 12); // 4,098 vertices, 128 edges round the equator
 }
 
+TEST_CASE("fast plan: rest positions are floats in all three coordinates, far from the origin, too",
+          "[solver][fast]") {
+    SoftBodyProblem problem = ball(3);
+    auto moved = std::make_shared<TriMesh>(*problem.surface);
+    for (Vec3& p : moved->positions)
+        p = 1.7 * p + Vec3(1234.567, -765.4321, 998.001);
+    problem.surface = moved;
+    const Plan plan = plan_of(problem);
+    REQUIRE(plan.rest.size() == moved->positions.size());
+    int unrounded = 0;
+    for (std::size_t i = 0; i < plan.rest.size(); ++i)
+        for (int k = 0; k < 3; ++k) {
+            const volatile auto stored = static_cast<float>(plan.rest[i][k]);
+            unrounded += static_cast<double>(stored) == plan.rest[i][k] ? 0 : 1;
+            CHECK(std::abs(plan.rest[i][k] - (moved->positions[i] - plan.origin)[k]) < 2e-6); // 2^-24 of 17
+        }
+    CHECK(unrounded == 0);
+}
+
 TEST_CASE("fast plan: packing shares no movable vertex in a row and loses no constraint", "[solver][fast]") {
     const TriMesh mesh = test::sphere(1, 3);
     const MeshTopology topology(mesh.vertex_count(), mesh.triangles);

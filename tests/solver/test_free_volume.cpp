@@ -34,4 +34,6 @@ TEST_CASE("A free volume is not brought to what the pressure asks for, by any me
     CHECK(swollen("xpbd", "fast", "free") == Approx(1.0).epsilon(1e-4));
     CHECK(swollen("classic", "fast", "kept") > 1.05);
     CHECK(swollen("classic", "fast", "free") == Approx(1.0).epsilon(1e-6));
+    CHECK(swollen("mass-spring", "fast", "kept") == Approx(1.3).epsilon(0.02));
+    CHECK(swollen("mass-spring", "fast", "free") == Approx(1.0).epsilon(1e-6));
 }

@@ -8,7 +8,8 @@
 namespace fascicle {
 
 /// LPS: +x left, +y posterior, +z superior. RAS: +x right, +y anterior, +z superior. OpenSim and ISB: X anterior, Y up, Z right.
-enum class AxisMapping { as_is, ras_to_lps, opensim_to_lps, lps_to_opensim };
+/// y up: X left, Y up, Z anterior, as glTF and Blender's exports have it of LPS data (x to x, z to y, -y to z).
+enum class AxisMapping { as_is, ras_to_lps, opensim_to_lps, lps_to_opensim, y_up_to_lps, lps_to_y_up };
 
 struct AxisMappingRow {
     AxisMapping mapping;

@@ -39,8 +39,13 @@ private:
     std::filesystem::path folder_, made_; ///< made_: the highest one that was not there before, empty: none
 };
 
+/// A name beside `path` for what becomes this file, as AtomicFile takes one: with the number of the program, by which what a killed one
+/// left is known and removed, here and now.
+std::filesystem::path temporary_name(const std::filesystem::path& path);
+
 /// Writes to a temporary file in the same folder; commit() flushes, checks and renames it to `path`.
-/// Without commit() the destructor removes it: no half-written file is left under a final name.
+/// Without commit() the destructor removes it: no half-written file is left under a final name. Temporary files that killed programs
+/// left of the same name (those whose program is no longer there, and no others) are removed first.
 class AtomicFile {
 public:
     /// Creates missing parent folders. Error naming the file and the system's reason.
@@ -89,7 +94,7 @@ private:
 void write_file(const std::filesystem::path& path, const std::string& bytes);
 
 /// The same for a document of the user's, flushed to the disk: what a link points to is replaced, not the link; permissions
-/// stay; a write-protected file is an Error; temporary files that a crashed program left beside it are removed.
+/// stay; a write-protected file is an Error.
 void write_document(const std::filesystem::path& path, const std::string& bytes);
 
 } // namespace fascicle

@@ -15,7 +15,8 @@ struct MeshHints {
     friend bool operator==(const MeshHints&, const MeshHints&) = default;
 };
 
-/// Looks through the first 4 kB: STL headers, OBJ and PLY comments, VTK titles, XML.
+/// Looks through the first 4 kB: STL headers, OBJ and PLY comments, VTK titles and the field SPACE, glTF, USD; and through the FieldData of
+/// VTP, for which all bytes are needed where they are appended.
 MeshHints find_mesh_hints(std::string_view bytes);
 /// The same of a file; nothing when it cannot be read.
 MeshHints read_mesh_hints(const std::filesystem::path& path);

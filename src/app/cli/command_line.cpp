@@ -27,10 +27,14 @@ struct Added {
     std::function<int()> run;
 };
 
-/// All commands, for the list in the help; options only for the one that is asked for.
+/// The command that is asked for, with its options; when there is no such one all of them, for the list in the help.
 std::vector<Added> add_commands(CLI::App& app, std::string_view asked_for) {
     std::vector<Added> added;
+    const bool known = std::any_of(commands().begin(), commands().end(),
+                                   [&](const Command& command) { return command.name == asked_for; });
     for (const Command& command : commands()) {
+        if (known && command.name != asked_for)
+            continue;
         CLI::App* sub = app.add_subcommand(command.name, command.line);
         if (command.name != asked_for)
             continue;

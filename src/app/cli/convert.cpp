@@ -5,12 +5,15 @@
 #include "fascicle/base/interrupt.hpp"
 #include "fascicle/base/param_table.hpp"
 #include "fascicle/base/text.hpp"
+#include "fascicle/geometry/axis_mapping.hpp"
 #include "fascicle/geometry/bounding_box.hpp"
 #include "fascicle/io/attachment_file.hpp"
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/load_scene.hpp"
+#include "fascicle/io/mesh_bodies.hpp"
 #include "fascicle/io/mesh_convert.hpp"
-#include "fascicle/io/mesh_hints.hpp"
+#include "fascicle/io/mesh_stamp.hpp"
+#include "fascicle/io/osim_request.hpp"
 #include "fascicle/io/run_reader.hpp"
 #include "fascicle/io/storage_write.hpp"
 #include "fascicle/io/unit_guess.hpp"
@@ -28,7 +31,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ConvertOptions {
-    std::string in, out, units, scale;
+    std::string in, out, units, scale, axes = "as_is", body;
 };
 
 std::string extension_of(const fs::path& path) {
@@ -72,8 +75,8 @@ std::string contents(const MeshData& data) {
 }
 
 /// Millimetres in a unit of the file, and how that is known.
-std::pair<double, std::string> unit_of_file(const std::string& bytes, const MeshData& data) {
-    if (const auto said = find_mesh_hints(bytes).millimetres)
+std::pair<double, std::string> unit_of_file(const MeshStamp& stamp, const MeshData& data) {
+    if (const auto said = stamp.hints.millimetres)
         return {*said, "1 unit = " + number_text(*said) + " mm, as the file says"};
     BoundingBox box;
     for (const Points* points : {&data.mesh.positions, &data.lines.points})
@@ -92,22 +95,75 @@ void scale(MeshData& data, double factor, const std::string& file) {
         }
 }
 
-/// The factor that was asked for: --scale, or --units from what the file is in. Nothing: as it stands.
-std::optional<double> wanted_factor(const ConvertOptions& options, const std::string& bytes,
-                                    const MeshData& data, std::vector<std::string>& notes) {
+/// What was asked for by --scale, or --units from what the file is in. The stamp says then what the coordinates are in.
+void scale_as_asked(const ConvertOptions& options, MeshStamp& stamp, MeshData& data,
+                    std::vector<std::string>& notes) {
+    std::optional<double>& said = stamp.hints.millimetres;
     if (!options.scale.empty()) {
         double factor = 0;
         if (!parse_number(options.scale, factor) || !(factor > 0))
             throw_error("--scale", "got '" + options.scale + "'", "a number above 0", ErrorKind::usage);
         notes.push_back("scaled by " + number_text(factor));
-        return factor;
+        scale(data, factor, options.in);
+        if (said && std::isnormal(*said / factor))
+            said = *said / factor;
+        else
+            said.reset();
+    } else if (!options.units.empty()) {
+        const auto [millimetres, why] = unit_of_file(stamp, data);
+        said = options.units == "mm" ? 1.0 : 1000.0;
+        const double factor = millimetres / *said;
+        notes.push_back("scaled by " + number_text(factor) + " to " + options.units + " (" + why + ")");
+        scale(data, factor, options.in);
     }
-    if (options.units.empty())
-        return std::nullopt;
-    const auto [millimetres, why] = unit_of_file(bytes, data);
-    const double factor = millimetres / (options.units == "mm" ? 1.0 : 1000.0);
-    notes.push_back("scaled by " + number_text(factor) + " to " + options.units + " (" + why + ")");
-    return factor;
+}
+
+/// "RAS, z up": what a file says of its axes.
+std::string said_of_axes(const MeshStamp& stamp) {
+    std::string text = stamp.hints.space ? to_text(*stamp.hints.space) : "";
+    if (stamp.up)
+        text += (text.empty() ? "" : ", ") + std::string(1, *stamp.up) + " up";
+    return text;
+}
+
+/// What was asked for by --axes. Vectors that are known as such turn along.
+void turn_as_asked(const ConvertOptions& options, MeshStamp& stamp, MeshData& data,
+                   std::vector<std::string>& notes) {
+    const AxisMapping mapping = parse_axis_mapping(options.axes);
+    if (mapping == AxisMapping::as_is)
+        return;
+    const Mat3 m = axis_matrix(mapping); // entries are 0 and +-1: the product is exact
+    for (Points* points : {&data.mesh.positions, &data.lines.points})
+        for (Vec3& p : *points)
+            p = m * p;
+    std::string left;
+    for (NamedArray& array : data.point_arrays) {
+        if (array.name == "Normals" && array.components == 3)
+            for (std::size_t i = 0; i + 2 < array.values.size(); i += 3) {
+                const Vec3 n = m * Vec3(array.values[i], array.values[i + 1], array.values[i + 2]);
+                std::copy(n.data(), n.data() + 3, array.values.begin() + static_cast<std::ptrdiff_t>(i));
+            }
+        else if (array.components == 3 && array.name != "RGB")
+            left += (left.empty() ? "" : ", ") + array.name;
+    }
+    for (const AxisMappingRow& row : axis_mappings())
+        if (row.mapping == mapping)
+            notes.push_back(std::string("turned: ") + row.label);
+    if (!left.empty())
+        notes.push_back("not turned: values of arrays of three: " + left);
+    std::optional<MeshSpace>& space = stamp.hints.space;
+    if (mapping == AxisMapping::ras_to_lps) { // half a turn, which is its own inverse
+        if (space == MeshSpace::lps)
+            notes.push_back("the file says LPS: it is RAS now");
+        space = space == MeshSpace::lps ? MeshSpace::ras : MeshSpace::lps;
+        stamp.up = 'z';
+        return;
+    }
+    const bool to_lps = mapping == AxisMapping::opensim_to_lps || mapping == AxisMapping::y_up_to_lps;
+    if (stamp.up == (to_lps ? 'z' : 'y') || (space && (to_lps || *space == MeshSpace::ras)))
+        notes.push_back("the file says otherwise: " + said_of_axes(stamp));
+    space = to_lps ? std::optional(MeshSpace::lps) : std::nullopt;
+    stamp.up = to_lps ? 'z' : 'y';
 }
 
 /// Outlines of attachments as closed lines, in mm; arrays tell the kind (as in areas: 1 origin, 2 insertion) and the outline.
@@ -135,7 +191,7 @@ MeshData outline_lines(const std::string& bytes, const std::string& file, std::v
 }
 
 void print(const std::string& out, const std::string& what, const std::vector<std::string>& notes) {
-    std::cout << one_line(out) << ": " << what << '\n';
+    std::cout << one_line(out) << ": " << one_line(what) << '\n';
     for (const std::string& note : notes)
         std::cout << "  " << one_line(note) << '\n';
 }
@@ -147,18 +203,39 @@ void convert_mesh(const ConvertOptions& options, const std::string& bytes) {
     const bool outlines = extension_of(options.in) == ".csv" || extension_of(options.in) == ".tsv";
     MeshData data =
         outlines ? outline_lines(bytes, options.in, notes) : read_mesh_data(bytes, options.in, &from);
-    notes.insert(notes.end(), data.notes.begin(), data.notes.end());
-    if (const auto factor = wanted_factor(options, bytes, data, notes))
-        scale(data, *factor, options.in);
-    else if (format.holds.metres && unit_of_file(bytes, data).first != 1000)
+    MeshStamp stamp;
+    if (outlines)
+        stamp.hints.millimetres = 1;
+    else
+        stamp = find_mesh_stamp(bytes);
+    if (const Animation bodies = outlines ? Animation() : read_bodies(bytes, options.in);
+        !options.body.empty())
+        data = body_mesh(bodies, options.body, options.in);
+    else if (bodies.bodies.size() > 1)
+        notes.push_back("all bodies become one mesh: " + body_names(bodies) + "; --body NAME takes one");
+    for (const std::string& note : data.notes)
+        if (note.find("bodies are taken as one mesh") == std::string::npos) // said with their names above
+            notes.push_back(note);
+    scale_as_asked(options, stamp, data, notes);
+    turn_as_asked(options, stamp, data, notes);
+    const std::string extension = format.extensions.front();
+    const bool says_any_unit = extension == ".usda" && stamp.hints.millimetres.has_value();
+    if (format.holds.metres && !says_any_unit && unit_of_file(stamp, data).first != 1000)
         notes.push_back(format.name +
                         " says metres, which the file does not seem to be in: --units m scales it");
+    if (extension == ".glb" && stamp.up != 'y')
+        notes.push_back("glTF says that y is up; " +
+                        std::string(stamp.up || stamp.hints.space ? "z is up here, and nothing was turned"
+                                                                  : "nothing was turned") +
+                        ": --axes lps_to_y_up turns what is z up");
+    for (std::string& lost : lost_of_stamp(format, stamp))
+        notes.push_back(std::move(lost));
     for (std::string& lost : fit_to_format(data, format))
         notes.push_back(std::move(lost));
     const std::atomic<bool>& interrupted = watch_interrupts(); // before there is anything to tidy up
     AtomicFile file(options.out);
     try {
-        format.write(file.stream(), data);
+        write_stamped(file.stream(), format, data, stamp);
     } catch (const Error& error) { // what the format cannot hold at all
         throw_error(options.out, error.what());
     }
@@ -172,8 +249,8 @@ void convert_mesh(const ConvertOptions& options, const std::string& bytes) {
 }
 
 void convert_table(const ConvertOptions& options, const std::string& bytes) {
-    if (!options.scale.empty() || !options.units.empty())
-        throw_error("convert", "--units and --scale are for meshes", {}, ErrorKind::usage);
+    if (!options.scale.empty() || !options.units.empty() || options.axes != "as_is" || !options.body.empty())
+        throw_error("convert", "--units, --scale, --axes and --body are for meshes", {}, ErrorKind::usage);
     const StorageTable table = read_storage(bytes, options.in);
     const std::string extension = extension_of(options.out);
     const bool csv = extension == ".csv";
@@ -199,6 +276,7 @@ int run(const ConvertOptions& options) {
                     ErrorKind::usage);
     if (!options.units.empty() && options.units != "mm" && options.units != "m")
         throw_error("--units", "got '" + options.units + "'", "mm or m", ErrorKind::usage);
+    parse_axis_mapping(options.axes);
     const std::string extension = extension_of(options.out);
     const bool table = extension == ".csv" || extension == ".mot" || extension == ".sto";
     if (!table)
@@ -230,6 +308,11 @@ std::function<int()> add_convert(CLI::App& app) {
     app.add_option("--units", options->units,
                    "Write in mm or m: from what the file says, else from the guess by its size");
     app.add_option("--scale", options->scale, "Multiply all coordinates by this");
+    std::string keys;
+    for (const AxisMappingRow& row : axis_mappings())
+        keys += (keys.empty() ? "" : ", ") + std::string(row.key);
+    app.add_option("--axes", options->axes, "Turn into other axes, never mirrored: " + keys);
+    app.add_option("--body", options->body, "One body of a .glb, .usda, or .obj with objects, by its name");
     return [options] { return run(*options); };
 }
 

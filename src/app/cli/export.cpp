@@ -8,9 +8,13 @@
 #include "app/cli/source_options.hpp"
 #include "fascicle/base/interrupt.hpp"
 #include "fascicle/base/parallel.hpp"
+#include "fascicle/base/param_table.hpp"
 #include "fascicle/base/suggest.hpp"
 #include "fascicle/base/text.hpp"
+#include "fascicle/geometry/bounding_box.hpp"
+#include "fascicle/io/mesh_units.hpp"
 #include "fascicle/io/run_reader.hpp"
+#include "fascicle/io/unit_guess.hpp"
 #include "output/animation_export.hpp"
 
 #include <iostream>
@@ -22,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ExportCommand {
-    std::string in, kind, out, frames = "0:";
+    std::string in, kind, out, units, frames = "0:";
     ExportOptions options;
     bool quiet = false;
 };
@@ -95,6 +99,30 @@ Animation chosen(Animation animation, const FrameRange& range, const std::string
     return out;
 }
 
+/// The unit of an animation that was read: --units, else what the file says, else, where the format must say one, a guess by the size of
+/// the first frame. A guess and a contradiction are told, also with --quiet.
+void settle_unit(Animation& animation, const ExportCommand& command, const std::string& kind) {
+    double& said = animation.millimetres_per_unit;
+    if (!command.units.empty()) {
+        const double wanted = command.units == "mm" ? 1 : 1000;
+        if (said > 0 && said != wanted)
+            std::cerr << "note: " << one_line(command.in) << " says " << unit_words(said) << "; --units "
+                      << command.units << " counts\n";
+        said = wanted;
+        return;
+    }
+    const bool must_say = kind == "glb" || kind == "usda"; // others can leave it out, and do
+    if (said > 0 || !must_say)
+        return;
+    BoundingBox box;
+    for (const AnimatedBody& body : animation.bodies)
+        for (const Vec3& p : body.rest)
+            box.add(p);
+    const UnitGuess guess = guess_length_unit(box.diagonal());
+    said = millimetres_per_unit(guess.unit);
+    std::cerr << "note: " << guess.sentence() << '\n';
+}
+
 int run(const ExportCommand& command) {
     if (command.in.empty() || command.out.empty())
         throw_error("export", "needs a run and a target", "export RUN --as KEY --out TARGET",
@@ -114,6 +142,9 @@ int run(const ExportCommand& command) {
         source.request.motion = command.in;
         check_output_file(request.target, is_run_folder(command.in) ? command.in : "", source, {});
     }
+    if (!command.units.empty() && is_run_folder(command.in))
+        throw_error("--units", "a run says its unit itself", "it with an animation of another program",
+                    ErrorKind::usage);
     std::vector<std::string> told;
     ProgressDisplay progress = ProgressDisplay::for_user(command.quiet);
     if (is_run_folder(command.in)) {
@@ -130,6 +161,7 @@ int run(const ExportCommand& command) {
             throw_error(command.in, "'" + std::string(row.key) + "' needs a run",
                         "the folder of a run, with its summary.json", ErrorKind::usage);
         Animation animation = chosen(read_animation(command.in), range, command.in);
+        settle_unit(animation, command, row.key);
         if (!command.options.up.empty())
             animation.up = command.options.up[0];
         for (const std::string& note : animation.notes)
@@ -171,6 +203,8 @@ std::function<int()> add_export(CLI::App& app) {
     add_text(app, "--out", command->out, "TARGET", "File, or folder for what has many files");
     add_text(app, "--frames", command->frames, "A:B[:STEP]",
              "Frames; B may be left out (default: all); of mesh the first");
+    add_choice(app, "--units", command->units, {"mm", "m"},
+               "Unit of an animation (default: what the file says, else guessed from its size)");
     add_export_options(app, command->options);
     app.add_flag("--quiet", command->quiet, "No progress");
     return [command] { return run(*command); };

@@ -12,7 +12,7 @@
 #include "fascicle/io/disk_cache.hpp"
 #include "fascicle/io/fibre_files.hpp"
 #include "fascicle/io/files.hpp"
-#include "fascicle/io/mesh_file.hpp"
+#include "fascicle/io/mesh_stamp.hpp"
 #include "fascicle/io/output_folder.hpp"
 #include "fascicle/io/staged_files.hpp"
 #include "fascicle/simulation/prepare.hpp"
@@ -151,7 +151,8 @@ int fibres(const FibresOptions& options) {
     std::vector<const FibreSeries*> pointers;
     for (std::size_t m = 0; m < scene.muscles.size(); ++m) {
         const fs::path file = out / fibre_file(scene.muscles[m].name, 0);
-        write_mesh_file(file, fibre_lines(series[m], 0, prepared.muscles[m].fibres->rest));
+        write_stamped_file(file, fibre_lines(series[m], 0, prepared.muscles[m].fibres->rest),
+                           stamp_of(scene.unit));
         pointers.push_back(&series[m]);
     }
     write_fibre_table(out / "fibres.csv", pointers);

@@ -6,16 +6,21 @@
 #include "fascicle/base/text.hpp"
 #include "fascicle/geometry/bounding_box.hpp"
 #include "fascicle/geometry/volume.hpp"
+#include "fascicle/io/animation_file.hpp"
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/format_registry.hpp"
 #include "fascicle/io/load_scene.hpp"
+#include "fascicle/io/mesh_bodies.hpp"
 #include "fascicle/io/mesh_file.hpp"
-#include "fascicle/io/mesh_hints.hpp"
+#include "fascicle/io/mesh_stamp.hpp"
+#include "fascicle/io/mesh_units.hpp"
 #include "fascicle/io/osim_request.hpp"
 #include "fascicle/io/series_file.hpp"
 #include "fascicle/io/unit_guess.hpp"
+#include "io/formats/point_cache.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <iomanip>
 #include <iostream>
 
@@ -44,8 +49,12 @@ void print_surface(const MeshFile& file, const std::string& unit) {
     print("triangles", std::to_string(mesh.triangle_count()));
     print("components", std::to_string(report.components));
     print("surface", report.closed() ? "closed" : "open");
-    print("area", text(surface_area(mesh.positions, mesh.triangles)) + ' ' + unit + "2");
-    print("volume", report.closed() ? text(signed_volume(mesh.positions, mesh.triangles)) + ' ' + unit + '3'
+    const auto measured = [&](double value, char power) {
+        return std::isfinite(value) ? text(value) + ' ' + unit + power
+                                    : "none, the coordinates are too large";
+    };
+    print("area", measured(surface_area(mesh.positions, mesh.triangles), '2'));
+    print("volume", report.closed() ? measured(signed_volume(mesh.positions, mesh.triangles), '3')
                                     : "none, the surface is open");
 }
 
@@ -58,17 +67,78 @@ std::string names_of(const std::vector<NamedArray>& arrays) {
 }
 
 /// What the header of the file says about itself; nothing acts on it.
-void print_hints(const MeshHints& hints) {
-    if (hints.millimetres)
-        print("file's unit", "1 unit = " + number_text(*hints.millimetres) + " mm");
-    if (hints.space)
-        print("file's frame", *hints.space == MeshSpace::ras ? "RAS (+x right, +y anterior, +z superior)"
-                                                             : "LPS (+x left, +y posterior, +z superior)");
+void print_stamp(const MeshStamp& stamp) {
+    if (stamp.hints.millimetres)
+        print("file's unit", "1 unit = " + number_text(*stamp.hints.millimetres) + " mm");
+    if (stamp.hints.space)
+        print("file's frame", *stamp.hints.space == MeshSpace::ras
+                                  ? "RAS (+x right, +y anterior, +z superior)"
+                                  : "LPS (+x left, +y posterior, +z superior)");
+    if (stamp.up)
+        print("up axis", std::string(1, *stamp.up));
+}
+
+/// The unit that sizes are shown in: what the file says, else the guess. Says which.
+std::string print_unit(const MeshStamp& stamp, const BoundingBox& box) {
+    const double diagonal = box.diagonal();
+    const UnitGuess guess = guess_length_unit(diagonal);
+    const auto said = stamp.hints.millimetres;
+    if (!said) {
+        if (!box.empty())
+            print("unit", std::string(to_text(guess.unit)) + " (guessed from the size" +
+                              (guess.sure ? ")" : ", which fits neither m nor mm)"));
+        return to_text(guess.unit);
+    }
+    const std::string unit = *said == 1 ? "mm" : *said == 10 ? "cm" : *said == 1000 ? "m" : "units";
+    print("unit", unit + " (as the file says" +
+                      (stated_unit_fits(*said, diagonal)
+                           ? ")"
+                           : ", though the size fits " + std::string(to_text(guess.unit)) + ")"));
+    return unit;
+}
+
+/// Bodies of a file that has names for them, and its frames.
+void print_bodies(const Animation& animation) {
+    if (animation.bodies.size() > 1)
+        print("bodies", std::to_string(animation.bodies.size()) + ": " + body_names(animation));
+    if (animation.frame_count() > 1)
+        print("frames", std::to_string(animation.frame_count()) + ", " + text(animation.seconds.front()) +
+                            " to " + text(animation.seconds.back()) + " s; what follows is of the first");
+}
+
+/// A file of moving points without a mesh: .pc2, .mdd. What the OBJ beside it says of unit and times counts, where there is one.
+void print_cache(const std::string& path, const AnimationFormat& format) {
+    const std::string bytes = read_file(path);
+    const bool pc2 = std::string_view(format.key) == "pc2";
+    const io::PointCache cache = pc2 ? io::read_pc2(bytes, path) : io::read_mdd(bytes, path);
+    Points points;
+    cache.read(0, points, path);
+    const BoundingBox box = bounding_box(points);
+    std::filesystem::path mesh = path;
+    mesh.replace_extension(".obj");
+    std::error_code error;
+    const bool beside = std::filesystem::exists(mesh, error);
+    std::cout << one_line(path) << '\n';
+    print("format", format.name);
+    print_unit(beside ? find_mesh_stamp(read_head(mesh, 4096)) : MeshStamp{}, box);
+    print("points", std::to_string(cache.points));
+    print("frames", std::to_string(cache.samples) +
+                        (pc2 ? ", from " + text(cache.first_frame) + " in steps of " + text(cache.frame_step)
+                             : std::string()));
+    if (beside) { // its points have to be the cache's
+        const Animation animation = format.read(path);
+        print("time", text(animation.seconds.front()) + " to " + text(animation.seconds.back()) + " s");
+    } else if (!cache.seconds.empty()) {
+        print("time", text(cache.seconds.front()) + " to " + text(cache.seconds.back()) + " s");
+    }
+    print("mesh", beside ? mesh.filename().string()
+                         : "none: " + mesh.filename().string() + " beside it would have the triangles");
+    print("box", text(box.min) + " to " + text(box.max) + ", in the first frame");
 }
 
 void print_series(const std::string& path, const std::string& bytes) {
     const auto series = parse_series(bytes, path);
-    std::cout << path << '\n';
+    std::cout << one_line(path) << '\n';
     print("format", "ParaView series");
     print("steps", std::to_string(series.size()));
     if (!series.empty()) {
@@ -80,7 +150,7 @@ void print_series(const std::string& path, const std::string& bytes) {
 /// What of an OpenSim model a scene can be made of.
 void print_model(const std::string& path) {
     const OsimPreview model = preview_osim(path, {});
-    std::cout << path << '\n';
+    std::cout << one_line(path) << '\n';
     print("format", "OpenSim model, version " + std::to_string(model.version));
     print("name", model.model_name);
     print("unit", "m");
@@ -99,6 +169,9 @@ void print_model(const std::string& path) {
 void print_file(const std::string& path) {
     if (std::filesystem::path(path).extension() == ".osim")
         return print_model(path);
+    const AnimationFormat* frames = recognise_animation(path);
+    if (frames != nullptr && frames->even_frames) // points alone: there is no mesh to look at
+        return print_cache(path, *frames);
     const std::string bytes = read_file(path);
     if (looks_like_series(bytes))
         return print_series(path, bytes);
@@ -111,12 +184,13 @@ void print_file(const std::string& path) {
         box.add(p);
     std::cout << one_line(path) << '\n';
     print("format", file.format);
-    const UnitGuess guess = guess_length_unit(box.diagonal());
-    const std::string unit = to_text(guess.unit);
-    if (!box.empty())
-        print("unit",
-              unit + " (guessed from the size" + (guess.sure ? ")" : ", which fits neither m nor mm)"));
-    print_hints(find_mesh_hints(bytes));
+    const MeshStamp stamp = find_mesh_stamp(bytes);
+    const std::string unit = print_unit(stamp, box);
+    print_stamp(stamp);
+    print_bodies(read_bodies(bytes, path));
+    if (frames != nullptr && std::string_view(frames->key) == "obj")
+        print("series",
+              std::to_string(read_animation(path).frame_count()) + " files of this name and number");
     if (!file.mesh.triangles.empty())
         print_surface(file, unit);
     if (points_alone && !file.mesh.positions.empty())
@@ -129,7 +203,8 @@ void print_file(const std::string& path) {
         print("line arrays", names_of(file.line_arrays));
     if (!box.empty()) {
         print("box", text(box.min) + " to " + text(box.max));
-        print("size", text(box.size()) + ", diagonal " + text(box.diagonal()));
+        print("size", text(box.size()) + (std::isfinite(box.diagonal()) ? ", diagonal " + text(box.diagonal())
+                                                                        : ", too large to measure"));
     }
     print("hash", file.hash);
     for (const std::string& note : file.notes)

@@ -11,6 +11,7 @@
 #include "fascicle/geometry/bounding_box.hpp"
 #include "fascicle/io/load_scene.hpp"
 #include "fascicle/io/mesh_file.hpp"
+#include "fascicle/io/mesh_units.hpp"
 #include "fascicle/io/osim_file.hpp"
 #include "fascicle/io/staged_files.hpp"
 #include "fascicle/io/storage_file.hpp"
@@ -88,12 +89,15 @@ std::vector<BodyObstacle> read_bones(const LinesOptions& options, const Skeleton
         MeshFile file = read_mesh_file(path);
         if (file.mesh.triangles.empty())
             throw_error(path, "holds no surface", "a bone of triangles");
-        const LengthUnit unit =
-            guess_length_unit(bounding_box(file.mesh.positions, file.mesh.triangles).diagonal()).unit;
+        const double diagonal = bounding_box(file.mesh.positions, file.mesh.triangles).diagonal();
+        const LengthUnit unit = guess_length_unit(diagonal).unit;
+        const auto said = read_mesh_hints(path).millimetres;
+        const bool stated = said && stated_unit_fits(*said, diagonal);
         for (Vec3& x : file.mesh.positions)
-            x *= millimetres_per_unit(unit) / 1000;
-        notes.push_back("bone " + body + ": " + std::to_string(file.mesh.triangle_count()) +
-                        " triangles, in " + to_text(unit) + " by their size");
+            x *= (stated ? *said : millimetres_per_unit(unit)) / 1000;
+        notes.push_back("bone " + body + ": " + std::to_string(file.mesh.triangle_count()) + " triangles, " +
+                        (stated ? unit_words(*said) + ", as the file says"
+                                : "in " + std::string(to_text(unit)) + " by their size"));
         obstacles.push_back({index, std::make_shared<const BoneObstacle>(file.mesh)});
     }
     return obstacles;

@@ -3,7 +3,7 @@
 #include "fascicle/base/text.hpp"
 #include "fascicle/io/csv.hpp"
 #include "fascicle/io/files.hpp"
-#include "fascicle/io/mesh_file.hpp"
+#include "fascicle/io/mesh_stamp.hpp"
 #include "io/formats/pvd.hpp"
 
 #include <algorithm>
@@ -54,7 +54,7 @@ void write_series(const std::filesystem::path& folder, const std::string& name, 
         data.line_arrays.push_back(std::move(number));
         char file[64];
         std::snprintf(file, sizeof file, "%s.%04zu.vtp", name.c_str(), frame);
-        write_mesh_file(folder / "frames" / file, data);
+        write_stamped_file(folder / "frames" / file, data, stamp_of(LengthUnit::metre));
         series.emplace_back(result.times[frame], std::string("frames/") + file);
     }
     AtomicFile index(folder / (name + ".pvd"));

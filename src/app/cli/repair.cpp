@@ -13,6 +13,7 @@
 #include "fascicle/io/load_scene.hpp"
 #include "fascicle/io/mesh_convert.hpp"
 #include "fascicle/io/mesh_file.hpp"
+#include "fascicle/io/mesh_stamp.hpp"
 #include "fascicle/io/unit_guess.hpp"
 
 #include <cmath>
@@ -106,15 +107,21 @@ int repair_file(const RepairCommand& command) {
         if (const double now = steady_seconds(); now > begun + patience_seconds)
             progress.update({std::string(stage), fraction, 0, 0}, now);
     };
-    const MeshData data = read_mesh_data(command.in);
+    const std::string bytes = read_file(command.in);
+    const MeshData data = read_mesh_data(bytes, command.in);
+    const MeshStamp stamp = find_mesh_stamp(bytes);
     if (data.mesh.triangles.empty())
         throw_error(command.in, "the file holds no triangles", "a surface");
     RepairReport report;
     report.in = command.in;
     report.out = command.out;
     const double diagonal = bounding_box(data.mesh.positions, data.mesh.triangles).diagonal();
-    report.unit = command.units.empty() ? to_text(guess_length_unit(diagonal).unit) : command.units;
-    report.unit_guessed = command.units.empty();
+    const double said = stamp.hints.millimetres.value_or(0);
+    const bool known = said == 1 || said == 1000;
+    report.unit = !command.units.empty() ? command.units
+                  : known                ? (said == 1 ? "mm" : "m")
+                                         : to_text(guess_length_unit(diagonal).unit);
+    report.unit_guessed = command.units.empty() && !known;
     report.options = options_of(command, report.unit == "m" ? 1000 : 1);
     report.options.unit = report.unit;
     report.notes = data.notes;
@@ -132,7 +139,9 @@ int repair_file(const RepairCommand& command) {
         for (std::string& lost : fit_to_format(out, format_for_writing(command.out)))
             report.notes.push_back(std::move(lost));
         report.arrays = static_cast<int>(out.point_arrays.size());
-        write_mesh_file(command.out, out);
+        for (std::string& lost : lost_of_stamp(format_for_writing(command.out), stamp))
+            report.notes.push_back(std::move(lost));
+        write_stamped_file(command.out, out, stamp);
     }
     if (!command.report.empty())
         write_file(command.report, to_json(report, result));

@@ -96,7 +96,8 @@ void add_source_options(CLI::App& app, SourceOptions& options) {
         into(r.fibre_templates, "--fibre-template"));
     add(app, options, "--lines", "MODEL.osim", "Line muscles of an OpenSim model, beside the muscles", false,
         [&r](const std::string& text) { r.lines = text; });
-    add(app, options, "--units", "mm|m", "Length unit of the files; told from their size otherwise", false,
+    add(app, options, "--units", "mm|m",
+        "Length unit of the scene, and of files that say none; told from their size otherwise", false,
         [&r](const std::string& text) { r.unit = parse_unit(text); });
 }
 

@@ -193,7 +193,7 @@ void OsimDialog::draw_stand_ins(EditorContext& context) {
             const bool possible =
                 muscle.volume_cm3 > 0 && has_mesh(muscle.origin) && has_mesh(muscle.insertion);
             char text[200];
-            std::snprintf(text, sizeof text, "%s: %s to %s, %.0f cm3", muscle.name.c_str(),
+            std::snprintf(text, sizeof text, "%s: %s to %s, %.0f cm\u00b3", muscle.name.c_str(),
                           muscle.origin.c_str(), muscle.insertion.c_str(), muscle.volume_cm3);
             if (ImGui::Selectable(text, false, possible ? 0 : ImGuiSelectableFlags_Disabled))
                 choice_.add_stand_in(muscle.name);

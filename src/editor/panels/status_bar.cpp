@@ -71,7 +71,8 @@ private:
         std::nth_element(seconds.begin(), seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2),
                          seconds.end());
         const double median = seconds[seconds.size() / 2];
-        return median > 0 ? print("solver %.3g frames/s", 1 / median) : std::string();
+        return median > 0 ? print(median < 0.01 ? "solver %.0f frames/s" : "solver %.3g frames/s", 1 / median)
+                          : std::string();
     }
 
     static void draw_message(EditorContext& context, const Rect& rect) {

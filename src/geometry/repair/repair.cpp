@@ -234,8 +234,10 @@ private:
         const double change = counts.volume_before != 0 ? counts.volume_after / counts.volume_before - 1 : 0;
         step("remesh", before, before,
              "remeshed to " + count(m_.mesh.triangle_count(), "triangle", "triangles") + " with edges of " +
-                 length("%.4g", counts.edge_length) + ", volume " + number("%+.2g", 100 * change) +
-                 " % after an offset by " + length("%.3g", counts.offset));
+                 length("%.4g", counts.edge_length) +
+                 (std::abs(change) < 5e-7 ? ", volume kept by"
+                                          : ", volume " + number("%+.2g", 100 * change) + " % after") +
+                 " an offset by " + length("%.3g", counts.offset));
         if (!(std::abs(change) <= options_.volume_share))
             result_.reason = "remeshing changed the volume by " + percent(std::abs(change)) + ", more than " +
                              percent(options_.volume_share);

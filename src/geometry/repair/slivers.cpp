@@ -84,7 +84,10 @@ private:
         return bad;
     }
     bool collapse(int h) {
-        if (!topology_.may_collapse(h) || folds(h))
+        // Each collapse takes as long as the fan of the vertex that goes: the hub of a large wheel stays, its rim goes into it.
+        constexpr int largest_fan = 1000;
+        if (topology_.has_more_edges(topology_.start(h), largest_fan) || !topology_.may_collapse(h) ||
+            folds(h))
             return false;
         into_[at(topology_.start(h))] = topology_.end(h);
         topology_.collapse(h, topology_.position(topology_.end(h)));

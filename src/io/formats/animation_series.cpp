@@ -4,6 +4,7 @@
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/format_registry.hpp"
 #include "fascicle/io/mesh_file.hpp"
+#include "fascicle/io/mesh_stamp.hpp"
 #include "io/formats/obj_bodies.hpp"
 #include "io/formats/point_cache.hpp"
 #include "io/formats/pvd.hpp"
@@ -136,6 +137,10 @@ void write_vtp_series(const fs::path& folder, const Animation& animation, const 
     const std::vector<std::string> names = body_files(animation);
     std::vector<std::vector<std::pair<double, std::string>>> series(names.size());
     Points points;
+    MeshStamp stamp;
+    if (animation.millimetres_per_unit > 0)
+        stamp.hints.millimetres = animation.millimetres_per_unit;
+    stamp.up = animation.up;
     for (std::size_t k = 0; k < animation.frame_count(); ++k)
         for (std::size_t b = 0; b < names.size(); ++b) {
             control.checkpoint("writing",
@@ -148,7 +153,7 @@ void write_vtp_series(const fs::path& folder, const Animation& animation, const 
             if (!body.triangles.empty() || body.lines.empty())
                 data.mesh = {points, body.triangles};
             const std::string name = numbered(names[b], animation.frames[k], ".vtp");
-            write_mesh_file(folder / name, data);
+            write_stamped_file(folder / name, data, stamp);
             series[b].emplace_back(animation.seconds[k], name);
         }
     for (std::size_t b = 0; b < names.size(); ++b) {
@@ -202,6 +207,10 @@ Animation read_vtp_series(const fs::path& path) {
             throw_error(file.string(), "the file holds no points", "a mesh");
         return body;
     };
+    const MeshStamp stamp =
+        find_mesh_stamp(read_file(files[0])); // of all: one series, one frame of reference
+    out.millimetres_per_unit = stamp.hints.millimetres.value_or(0);
+    out.up = stamp.up.value_or('z');
     AnimatedBody body = read(files[0]);
     body.name = out.name;
     body.kind = body.triangles.empty() ? BodyKind::fibres : BodyKind::muscle;
@@ -220,7 +229,8 @@ Animation read_vtp_series(const fs::path& path) {
 
 namespace {
 
-using WriteCache = void (*)(std::ostream&, const AnimatedBody&, const Animation&, const JobControl&);
+using WriteCache = void (*)(std::ostream&, const AnimatedBody&, const Animation&, const JobControl&,
+                            const std::string&);
 
 void write_caches(const fs::path& folder, const Animation& animation, const JobControl& control,
                   const char* extension, WriteCache write) {
@@ -254,8 +264,9 @@ void write_caches(const fs::path& folder, const Animation& animation, const JobC
                                                                 static_cast<double>(names.size()));
                               },
                               control.cancel};
-        AtomicFile cache(folder / (names[b] + extension));
-        write(cache.stream(), body, animation, part);
+        const fs::path path = folder / (names[b] + extension);
+        AtomicFile cache(path);
+        write(cache.stream(), body, animation, part, shown_path(path));
         cache.commit();
     }
 }

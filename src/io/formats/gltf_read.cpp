@@ -2,6 +2,7 @@
 
 #include "fascicle/base/error.hpp"
 #include "io/formats/gltf_motion.hpp"
+#include "io/formats/mesh_bodies.hpp"
 #include "io/formats/text_scanner.hpp"
 
 #include <algorithm>
@@ -23,8 +24,9 @@ struct Shape {
     std::vector<double> weights; ///< at rest
     std::vector<Tri> triangles;
     std::vector<std::vector<int>> lines;
-    std::vector<std::int64_t> accessors; ///< what it is known by
 };
+/// Shapes of one mesh by their accessors: a mesh may have very many primitives.
+using KnownShapes = std::map<std::vector<std::int64_t>, std::size_t>;
 
 class GlbReader {
 public:
@@ -36,7 +38,8 @@ public:
 
 private:
     const std::vector<Shape>& shapes_of(std::int64_t mesh);
-    void read_primitive(const Json& primitive, const std::string& user, std::vector<Shape>& shapes);
+    void read_primitive(const Json& primitive, const std::string& user, std::vector<Shape>& shapes,
+                        KnownShapes& known);
     void add_faces(Shape& shape, const std::vector<std::uint32_t>& indices, std::int64_t mode) const;
     void add_node(int node, Animation& animation);
     void name_frames(Animation& animation) const;
@@ -75,7 +78,7 @@ void GlbReader::add_faces(Shape& shape, const std::vector<std::uint32_t>& indice
                 shape.lines.push_back({at(i)});
             shape.lines.back().push_back(at(i + 1));
         }
-    } else if (n > 0) {
+    } else if (n > 1) { // one point is no line
         std::vector<int> line(indices.begin(), indices.end());
         if (mode == line_loop)
             line.push_back(line.front());
@@ -83,7 +86,8 @@ void GlbReader::add_faces(Shape& shape, const std::vector<std::uint32_t>& indice
     }
 }
 
-void GlbReader::read_primitive(const Json& primitive, const std::string& user, std::vector<Shape>& shapes) {
+void GlbReader::read_primitive(const Json& primitive, const std::string& user, std::vector<Shape>& shapes,
+                               KnownShapes& known) {
     const std::int64_t mode = document_.integer(primitive, "mode", triangles_mode);
     const auto attributes = primitive.find("attributes");
     if (mode <= points_mode || mode > triangle_fan || attributes == primitive.end() ||
@@ -95,28 +99,27 @@ void GlbReader::read_primitive(const Json& primitive, const std::string& user, s
     if (const auto targets = primitive.find("targets"); targets != primitive.end() && targets->is_array())
         for (const Json& target : *targets)
             accessors.push_back(target.is_object() ? document_.integer(target, "POSITION", -1) : -1);
-    auto shape =
-        std::find_if(shapes.begin(), shapes.end(), [&](const Shape& s) { return s.accessors == accessors; });
-    if (shape == shapes.end()) {
+    auto found = known.find(accessors);
+    if (found == known.end()) {
         Shape made;
-        made.accessors = accessors;
         made.base = document_.floats(accessors[0], 3, user);
         for (std::size_t i = 1; i < accessors.size(); ++i) {
             made.targets.push_back(accessors[i] < 0 ? nullptr : document_.floats(accessors[i], 3, user));
             if (made.targets.back() != nullptr && made.targets.back()->size() != made.base->size())
                 document_.fail(user + " has a morph target with another number of points");
         }
+        found = known.emplace(accessors, shapes.size()).first;
         shapes.push_back(std::move(made));
-        shape = shapes.end() - 1;
     }
-    const std::size_t count = shape->base->size() / 3;
+    Shape& shape = shapes[found->second];
+    const std::size_t count = shape.base->size() / 3;
     if (primitive.contains("indices")) {
-        add_faces(*shape, document_.indices(document_.integer(primitive, "indices", -1), count, user), mode);
+        add_faces(shape, document_.indices(document_.integer(primitive, "indices", -1), count, user), mode);
     } else {
         std::vector<std::uint32_t> all(count);
         for (std::size_t i = 0; i < count; ++i)
             all[i] = static_cast<std::uint32_t>(i);
-        add_faces(*shape, all, mode);
+        add_faces(shape, all, mode);
     }
 }
 
@@ -126,10 +129,11 @@ const std::vector<Shape>& GlbReader::shapes_of(std::int64_t mesh) {
     const std::string user = "mesh " + std::to_string(mesh);
     const Json& json = document_.entry("meshes", mesh, "a node");
     std::vector<Shape> shapes;
+    KnownShapes known;
     if (const auto primitives = json.find("primitives"); primitives != json.end() && primitives->is_array())
         for (const Json& primitive : *primitives)
             if (primitive.is_object())
-                read_primitive(primitive, user, shapes);
+                read_primitive(primitive, user, shapes, known);
     const auto weights = json.find("weights");
     for (Shape& shape : shapes) {
         shape.name = text_of(json, "name");
@@ -178,6 +182,7 @@ void GlbReader::add_node(int node, Animation& animation) {
             if (!place.matrix().isIdentity(0))
                 for (Vec3& p : points)
                     p = place * p;
+            want_finite(points, file);
         };
         at(0, body.rest);
         body.points = at;

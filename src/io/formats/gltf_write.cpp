@@ -3,6 +3,7 @@
 #include "fascicle/base/build_info.hpp"
 #include "fascicle/base/error.hpp"
 #include "fascicle/geometry/vertex_normals.hpp"
+#include "io/formats/mesh_bodies.hpp"
 
 #include <algorithm>
 #include <array>
@@ -60,11 +61,12 @@ private:
 
 class GlbWriter {
 public:
-    GlbWriter(const Animation& animation, const GltfOptions& options, const JobControl& control)
-        : animation_(animation), control_(control), convert_(animation),
+    GlbWriter(const Animation& animation, const GltfOptions& options, const JobControl& control,
+              const std::string& where)
+        : animation_(animation), control_(control), where_(where), convert_(animation),
           shapes_(spread_frames(animation.frame_count(), options.morph_targets)) {}
 
-    void write(std::ostream& out, const std::string& where);
+    void write(std::ostream& out);
 
 private:
     void add_body(const AnimatedBody& body, const std::string& name);
@@ -82,6 +84,7 @@ private:
 
     const Animation& animation_;
     const JobControl& control_;
+    const std::string& where_; ///< the file, for errors
     ToMetres convert_;
     std::vector<std::size_t> shapes_; ///< places of the frames that have a shape
     Json gltf_;
@@ -146,8 +149,14 @@ int GlbWriter::add_scalars(Floats values, const char* type, std::size_t componen
 
 int GlbWriter::add_times(const std::vector<std::size_t>& places) {
     Floats times;
-    for (const std::size_t k : places)
-        times.push_back(static_cast<float>(animation_.seconds[k] - animation_.seconds[0]));
+    for (const std::size_t k : places) {
+        times.push_back(to_float(animation_.seconds[k] - animation_.seconds[0], where_));
+        if (times.size() > 1 && !(times.back() > times[times.size() - 2]))
+            throw_error(where_,
+                        "frame " + std::to_string(animation_.frames[k]) +
+                            " is at the time of the one before it, in floats",
+                        "times that floats can tell apart");
+    }
     const Json bounds{{"min", {times.front()}}, {"max", {times.back()}}};
     return add_scalars(std::move(times), "SCALAR", 1, bounds);
 }
@@ -170,7 +179,7 @@ void GlbWriter::floats_of(const Points& points, Floats& values) const {
     values.resize(points.size() * 3);
     for (std::size_t i = 0; i < points.size(); ++i)
         for (int c = 0; c < 3; ++c)
-            values[3 * i + static_cast<std::size_t>(c)] = static_cast<float>(points[i][c]);
+            values[3 * i + static_cast<std::size_t>(c)] = to_float(points[i][c], where_);
 }
 
 /// Metres, y up. A rigid body: before its pose.
@@ -203,7 +212,7 @@ Json GlbWriter::add_surface(const AnimatedBody& body) {
     const auto normals = [this, &body](Floats& values) {
         Points points;
         shape_in(body, 0, points);
-        floats_of(whole_normals(points, body.triangles), values);
+        floats_of(whole_normals(rounded_to_floats(points, where_), body.triangles), values);
     };
     Json primitive{{"attributes", {{"POSITION", add_points(count, positions, true)}}}};
     if (surface)
@@ -236,13 +245,13 @@ Json GlbWriter::add_surface(const AnimatedBody& body) {
             for (std::size_t v = 0; v < points.size(); ++v)
                 for (int c = 0; c < 3; ++c) {
                     float& value = values[3 * v + static_cast<std::size_t>(c)];
-                    value = static_cast<float>(points[v][c] - double(value));
+                    value = to_float(points[v][c] - double(value), where_);
                 }
         };
         const auto turned = [this, &body, place](Floats& values) {
             Points points;
             shape_in(body, 0, points);
-            const Points before = whole_normals(points, body.triangles);
+            const Points before = whole_normals(rounded_to_floats(points, where_), body.triangles);
             shape_in(body, place, points);
             Points after = whole_normals(points, body.triangles);
             for (std::size_t v = 0; v < after.size(); ++v)
@@ -273,7 +282,7 @@ void GlbWriter::add_motion(const AnimatedBody& body, int node) {
         for (const double c : {q.x(), q.y(), q.z(), q.w()})
             turns.push_back(static_cast<float>(c));
         for (int c = 0; c < 3; ++c)
-            places.push_back(static_cast<float>(pose.translation[c]));
+            places.push_back(to_float(pose.translation[c], where_));
         moves = moves || pose.rotation != poses[0].rotation || pose.translation != poses[0].translation;
     }
     if (!poses[0].is_identity() || moves) {
@@ -357,7 +366,7 @@ int GlbWriter::material(BodyKind kind) {
     return index = index_of_last(gltf_["materials"]);
 }
 
-void GlbWriter::write(std::ostream& out, const std::string& where) {
+void GlbWriter::write(std::ostream& out) {
     gltf_["asset"] = {{"version", "2.0"}, {"generator", std::string("fascicle ") + program_version()}};
     Json about = animation_.provenance.empty() ? Json::object() : Json::parse(animation_.provenance);
     about["frames"] = animation_.frames;
@@ -377,7 +386,7 @@ void GlbWriter::write(std::ostream& out, const std::string& where) {
     for (std::size_t i = 0; i < animation_.bodies.size(); ++i)
         add_body(animation_.bodies[i], names[i]);
     if (!gltf_.contains("meshes"))
-        throw_error(where, "there is nothing to write", "a body with triangles or lines");
+        throw_error(where_, "there is nothing to write", "a body with triangles or lines");
     if (!channels_.empty())
         gltf_["animations"] = {{{"name", "motion"}, {"samplers", samplers_}, {"channels", channels_}}};
     gltf_["buffers"] = {{{"byteLength", bytes_}}};
@@ -386,7 +395,7 @@ void GlbWriter::write(std::ostream& out, const std::string& where) {
     json.append((4 - json.size() % 4) % 4, ' ');
     const std::uint64_t total = 12 + 8 + std::uint64_t{json.size()} + 8 + bytes_;
     if (total > std::numeric_limits<std::uint32_t>::max())
-        throw_error(where, "the file would be larger than 4 GiB, which glTF cannot say",
+        throw_error(where_, "the file would be larger than 4 GiB, which glTF cannot say",
                     "fewer morph targets or frames");
     const auto word = [&](std::uint64_t value) {
         const auto bits = static_cast<std::uint32_t>(value);
@@ -413,7 +422,7 @@ void GlbWriter::write(std::ostream& out, const std::string& where) {
 
 void write_glb(std::ostream& out, const Animation& animation, const GltfOptions& options,
                const std::string& where, const JobControl& control) {
-    GlbWriter(animation, options, control).write(out, where);
+    GlbWriter(animation, options, control, where).write(out);
 }
 
 void write_glb_mesh(std::ostream& out, const MeshData& data) {
@@ -423,13 +432,9 @@ void write_glb_mesh(std::ostream& out, const MeshData& data) {
     animation.up = 'y';
     animation.frames = {0};
     animation.seconds = {0};
-    const std::vector<Pose> still{Pose{}};
-    if (!data.mesh.triangles.empty())
-        animation.bodies.push_back(
-            {"surface", BodyKind::bone, data.mesh.triangles, {}, data.mesh.positions, still, {}});
-    if (!data.lines.lines.empty())
-        animation.bodies.push_back(
-            {"lines", BodyKind::fibres, {}, data.lines.lines, data.lines.points, still, {}});
+    animation.bodies = bodies_of_mesh(data, BodyKind::bone);
+    for (AnimatedBody& body : animation.bodies)
+        body.poses = {Pose{}};
     write_glb(out, animation, {}, "glTF");
 }
 

@@ -39,16 +39,16 @@ int bits_per_pixel(std::string_view bytes) {
     return std::max(1, depth * channels);
 }
 
-/// Whether all chunks end within the file: stb makes room for what a chunk says.
+/// Whether the data of all chunks end within the file: stb makes room for what a chunk says, at the end of the file, too.
 bool chunks_fit(std::string_view bytes) {
-    constexpr std::size_t around = 12; // length and name before a chunk's data, checksum after them
-    for (std::size_t at = 8; at + around <= bytes.size();) {
+    constexpr std::size_t before = 8, after = 4; // length and name, checksum
+    for (std::size_t at = 8; at + before <= bytes.size();) {
         std::size_t length = 0;
         for (std::size_t i = 0; i < 4; ++i)
             length = length << 8 | static_cast<unsigned char>(bytes[at + i]);
-        if (length > bytes.size() - at - around)
+        if (length > bytes.size() - at - before)
             return false;
-        at += around + length;
+        at += before + length + after;
     }
     return true;
 }

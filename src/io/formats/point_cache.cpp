@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace fascicle::io {
 
@@ -18,7 +19,13 @@ void put_word(std::string& out, std::uint32_t word, bool big_endian) {
         out += static_cast<char>(word >> (8 * (big_endian ? 3 - i : i)) & 0xFF);
 }
 
-void put_float(std::string& out, double value, bool big_endian) {
+/// Error naming `where` and `what` when no float holds the value.
+void put_float(std::string& out, double value, bool big_endian, const char* what, const std::string& where) {
+    constexpr double most = std::numeric_limits<float>::max();
+    if (!(std::abs(value) <= most))
+        throw_error(where,
+                    std::string(what) + " is beyond " + std::to_string(std::numeric_limits<float>::max()),
+                    "numbers that a float can hold");
     put_word(out, std::bit_cast<std::uint32_t>(static_cast<float>(value)), big_endian);
 }
 
@@ -40,7 +47,7 @@ double float_at(std::string_view bytes, std::size_t at, bool big_endian) {
 }
 
 void write_samples(std::ostream& out, const AnimatedBody& body, const Animation& animation, bool big_endian,
-                   const JobControl& control) {
+                   const JobControl& control, const std::string& where) {
     Points points;
     std::string bytes;
     for (std::size_t k = 0; k < animation.frame_count(); ++k) {
@@ -49,7 +56,7 @@ void write_samples(std::ostream& out, const AnimatedBody& body, const Animation&
         bytes.clear();
         for (const Vec3& p : points)
             for (int c = 0; c < 3; ++c)
-                put_float(bytes, p[c], big_endian);
+                put_float(bytes, p[c], big_endian, "a coordinate", where);
         out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     }
 }
@@ -73,26 +80,33 @@ void take_values(PointCache& cache, std::string_view bytes, std::size_t start, c
 } // namespace
 
 void write_pc2(std::ostream& out, const AnimatedBody& body, const Animation& animation,
-               const JobControl& control) {
+               const JobControl& control, const std::string& where) {
     std::string head(pc2_mark);
     put_word(head, 1, false);
     put_word(head, static_cast<std::uint32_t>(body.rest.size()), false);
-    put_float(head, animation.frames.front(), false);
-    put_float(head, animation.frame_count() > 1 ? animation.frames[1] - animation.frames[0] : 1, false);
+    put_float(head, animation.frames.front(), false, "a frame", where);
+    put_float(head, animation.frame_count() > 1 ? animation.frames[1] - animation.frames[0] : 1, false,
+              "a frame", where);
     put_word(head, static_cast<std::uint32_t>(animation.frame_count()), false);
     out.write(head.data(), static_cast<std::streamsize>(head.size()));
-    write_samples(out, body, animation, false, control);
+    write_samples(out, body, animation, false, control, where);
 }
 
 void write_mdd(std::ostream& out, const AnimatedBody& body, const Animation& animation,
-               const JobControl& control) {
+               const JobControl& control, const std::string& where) {
     std::string head;
     put_word(head, static_cast<std::uint32_t>(animation.frame_count()), true);
     put_word(head, static_cast<std::uint32_t>(body.rest.size()), true);
-    for (const double time : animation.seconds)
-        put_float(head, time, true);
+    for (std::size_t k = 0; k < animation.seconds.size(); ++k) {
+        put_float(head, animation.seconds[k], true, "a time", where);
+        if (k > 0 && !(float_at(head, head.size() - 4, true) > float_at(head, head.size() - 8, true)))
+            throw_error(where,
+                        "frame " + std::to_string(animation.frames[k]) +
+                            " is at the time of the one before it, in floats",
+                        "times that floats can tell apart");
+    }
     out.write(head.data(), static_cast<std::streamsize>(head.size()));
-    write_samples(out, body, animation, true, control);
+    write_samples(out, body, animation, true, control, where);
 }
 
 void PointCache::read(std::size_t k, Points& out, const std::string& file) const {

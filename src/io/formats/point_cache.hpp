@@ -10,12 +10,13 @@
 namespace fascicle::io {
 
 /// "POINTCACHE2\0", version 1, points, first frame, frames a sample, samples; then x, y, z of every point and sample as floats.
-/// The frames must lie at equal distances.
+/// The frames must lie at equal distances. Error naming `where` when a number is beyond what a float holds.
 void write_pc2(std::ostream& out, const AnimatedBody& body, const Animation& animation,
-               const JobControl& control);
-/// Samples, points, the time of every sample in seconds, then as above; all numbers big-endian.
+               const JobControl& control, const std::string& where);
+/// Samples, points, the time of every sample in seconds, then as above; all numbers big-endian. Error also when two times are one as
+/// floats.
 void write_mdd(std::ostream& out, const AnimatedBody& body, const Animation& animation,
-               const JobControl& control);
+               const JobControl& control, const std::string& where);
 
 /// What a point cache holds; `bytes` of the reader must outlive it.
 struct PointCache {

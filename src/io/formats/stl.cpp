@@ -1,6 +1,7 @@
 #include "io/formats/stl.hpp"
 
 #include "fascicle/base/error.hpp"
+#include "fascicle/geometry/float_rounding.hpp"
 #include "io/formats/binary_numbers.hpp"
 #include "io/formats/text_scanner.hpp"
 #include "io/formats/vertex_weld.hpp"
@@ -160,15 +161,11 @@ void write_stl(std::ostream& out, const MeshData& data) {
         if (!((p.array().abs() <= static_cast<double>(std::numeric_limits<float>::max())).all()))
             throw_error("STL", "a coordinate is beyond " + std::to_string(std::numeric_limits<float>::max()),
                         "coordinates that a float can hold");
-    // Normals are of what is read back. Rounded here, in a pass of its own: g++ 12 leaves out the rounding of neighbouring numbers
-    // when it sees double -> float -> double in one expression.
-    std::vector<Eigen::Vector3f> stored;
-    stored.reserve(points.size());
-    for (const Vec3& p : points)
-        stored.push_back(p.cast<float>());
-    const auto rounded = [&](int v) -> Vec3 { return stored[static_cast<std::size_t>(v)].cast<double>(); };
+    Points stored = points; // normals are of what is read back
+    round_to_floats(stored);
+    const auto rounded = [&](int v) -> const Vec3& { return stored[static_cast<std::size_t>(v)]; };
     for (const Tri& t : data.mesh.triangles) {
-        const Vec3 a = rounded(t[0]), b = rounded(t[1]), c = rounded(t[2]);
+        const Vec3 &a = rounded(t[0]), &b = rounded(t[1]), &c = rounded(t[2]);
         const Vec3 normal = (b - a).cross(c - a);
         const double length = normal.norm();
         put(length > 0 && std::isfinite(length) ? Vec3(normal / length) : Vec3::Zero());

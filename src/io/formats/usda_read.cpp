@@ -1,6 +1,8 @@
 #include "io/formats/usda_read.hpp"
 
 #include "fascicle/base/error.hpp"
+#include "fascicle/base/param_table.hpp"
+#include "io/formats/mesh_bodies.hpp"
 #include "io/formats/usda_parser.hpp"
 
 #include <Eigen/Geometry>
@@ -29,6 +31,7 @@ private:
     void read_curves(const UsdaPrim& prim, std::size_t points, AnimatedBody& body) const;
     std::vector<int> whole_numbers(const UsdaPrim& prim, const char* name) const;
     double number_of(const char* key, double otherwise) const;
+    double scale_of(const char* key, double otherwise) const;
     void note_times(const UsdaAttribute& attribute) {
         for (const auto& [time, value] : attribute.samples)
             times_.insert(time);
@@ -132,6 +135,14 @@ double UsdaReader::number_of(const char* key, double otherwise) const {
                : otherwise;
 }
 
+/// The same of one that others are multiplied with or divided by.
+double UsdaReader::scale_of(const char* key, double otherwise) const {
+    const double value = number_of(key, otherwise);
+    if (!is_usda_scale(value))
+        throw_error(file_, std::string(key) + " is " + number_text(value), "a number from 1e-9 to 1e9");
+    return value;
+}
+
 std::vector<int> UsdaReader::whole_numbers(const UsdaPrim& prim, const char* name) const {
     std::vector<int> out;
     const UsdaAttribute* attribute = find(prim, name);
@@ -184,7 +195,8 @@ void UsdaReader::read_curves(const UsdaPrim& prim, std::size_t points, AnimatedB
         std::vector<int> line;
         for (std::size_t i = 0; i < n; ++i)
             line.push_back(static_cast<int>(at + i));
-        body.lines.push_back(std::move(line));
+        if (n > 1) // one point is no line
+            body.lines.push_back(std::move(line));
         at += n;
     }
 }
@@ -250,6 +262,7 @@ void UsdaReader::add_body(const UsdaPrim& prim, const Chain& chain) {
         if (!place.matrix().isIdentity(0))
             for (Vec3& p : points)
                 p = place * p;
+        want_finite(points, file);
     };
     animation_.bodies.push_back(std::move(body));
 }
@@ -266,7 +279,7 @@ void UsdaReader::walk(const UsdaPrim& prim, Chain& chain) {
 }
 
 Animation UsdaReader::read() {
-    animation_.millimetres_per_unit = 1000 * number_of("metersPerUnit", 0.01); // USD's own default
+    animation_.millimetres_per_unit = 1000 * scale_of("metersPerUnit", 0.01); // USD's own default
     const auto up = layer_->metadata.find("upAxis");
     animation_.up =
         up != layer_->metadata.end() && up->second.texts == std::vector<std::string>{"Z"} ? 'z' : 'y';
@@ -289,10 +302,14 @@ Animation UsdaReader::read() {
     if (codes_->empty())
         codes_->push_back(number_of("startTimeCode", 0));
     bool whole = true;
-    const double speed = number_of("timeCodesPerSecond", 24);
+    const double speed = scale_of("timeCodesPerSecond", 24);
     for (const double code : *codes_) {
         whole = whole && code == std::floor(code) && code >= 0 && code < 1e9;
-        animation_.seconds.push_back(code / speed);
+        const double seconds = code / speed;
+        if (!std::isfinite(seconds) ||
+            (!animation_.seconds.empty() && !(seconds > animation_.seconds.back())))
+            throw_error(file_, "the times of its samples are too large or too close", "ascending seconds");
+        animation_.seconds.push_back(seconds);
     }
     for (std::size_t k = 0; k < codes_->size(); ++k)
         animation_.frames.push_back(static_cast<int>(whole ? (*codes_)[k] : static_cast<double>(k)));

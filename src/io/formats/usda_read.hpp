@@ -9,6 +9,11 @@
 
 namespace fascicle::io {
 
+/// Whether a number is one that lengths and times of a layer may be multiplied with or divided by.
+inline bool is_usda_scale(double value) {
+    return value >= 1e-9 && value <= 1e9;
+}
+
 bool looks_like_usda(std::string_view bytes);
 
 /// Mesh (any polygons) and linear BasisCurves below Xforms with translate, orient, scale, rotate and transform; time samples between which it

@@ -1,9 +1,12 @@
 #include "io/formats/usda_write.hpp"
 
 #include "fascicle/base/build_info.hpp"
+#include "fascicle/base/error.hpp"
 #include "fascicle/base/param_table.hpp"
 #include "fascicle/geometry/bounding_box.hpp"
 #include "fascicle/geometry/vertex_normals.hpp"
+#include "io/formats/mesh_bodies.hpp"
+#include "io/formats/usda_read.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -25,11 +28,11 @@ void put(std::ostream& out, float value) {
 
 void put(std::ostream& out, const Vec3& p) {
     out << '(';
-    put(out, static_cast<float>(p.x()));
+    put(out, to_float(p.x(), "USD"));
     out << ", ";
-    put(out, static_cast<float>(p.y()));
+    put(out, to_float(p.y(), "USD"));
     out << ", ";
-    put(out, static_cast<float>(p.z()));
+    put(out, to_float(p.z(), "USD"));
     out << ')';
 }
 
@@ -127,15 +130,13 @@ void UsdaWriter::write_values(const AnimatedBody& body, const std::string& inden
 
 void put_extent(std::ostream& out, const Points& points, double margin) {
     BoundingBox box;
-    for (const Vec3& p : points)
+    for (const Vec3& p : rounded_to_floats(points, "USD")) // so that no point lies outside
         box.add(p);
-    // Of the rounded coordinates, so that no point lies outside.
     const Vec3 by = Vec3::Constant(margin);
-    const auto as_written = [](const Vec3& p) { return Vec3(p.cast<float>().cast<double>()); };
     out << '[';
-    put(out, as_written(box.min) - by);
+    put(out, box.min - by);
     out << ", ";
-    put(out, as_written(box.max) + by);
+    put(out, box.max + by);
     out << ']';
 }
 
@@ -153,7 +154,7 @@ void UsdaWriter::write_surface(const AnimatedBody& body, const std::string& inde
     values("point3f[] points", [&](const Points& points) { put_points(out_, points); });
     values("float3[] extent", [&](const Points& points) { put_extent(out_, points, 0); });
     const auto normals = [&](const Points& points) {
-        put_points(out_, rounded(vertex_normals(points, body.triangles)));
+        put_points(out_, rounded(vertex_normals(rounded_to_floats(points, "USD"), body.triangles)));
     };
     write_values(body, indent, "normal3f[] normals", normals, "vertex");
     out_ << indent << "color3f[] primvars:displayColor = ["
@@ -248,6 +249,11 @@ void UsdaWriter::write() {
                   (animation_.seconds.back() - animation_.seconds.front())
             : 24;
     const double metres = animation_.millimetres_per_unit > 0 ? animation_.millimetres_per_unit / 1000 : 1;
+    if (!is_usda_scale(metres) || !is_usda_scale(speed))
+        throw_error("USD",
+                    "the unit is " + number_text(metres) + " m and a second has " + number_text(speed) +
+                        " frames",
+                    "numbers from 1e-9 to 1e9");
     const std::string root = unique_identifiers({animation_.name})[0];
     out_ << "#usda 1.0\n(\n    defaultPrim = \"" << root << "\"\n";
     out_ << "    doc = " << quoted(std::string("Written by fascicle ") + program_version()) << "\n";
@@ -256,8 +262,9 @@ void UsdaWriter::write() {
     out_ << "    metersPerUnit = " << number_text(metres) << "\n";
     if (animation_.frame_count() > 0)
         out_ << "    startTimeCode = " << animation_.frames.front() << "\n";
-    // Rounded to 12 digits: 1 / 0.01 s would come out as 99.99999999999999.
-    out_ << "    timeCodesPerSecond = " << number_text(std::round(speed * 1e6) / 1e6) << "\n";
+    // Rounded: 1 / 0.01 s would come out as 99.99999999999999.
+    out_ << "    timeCodesPerSecond = " << number_text(speed < 1 ? speed : std::round(speed * 1e6) / 1e6)
+         << "\n";
     out_ << "    upAxis = \"" << (animation_.up == 'y' ? 'Y' : 'Z') << "\"\n)\n\n";
     out_ << "def Xform \"" << root << "\" (\n    displayName = " << quoted(animation_.name);
     if (!animation_.provenance.empty())
@@ -283,17 +290,15 @@ void write_usda(std::ostream& out, const Animation& animation, const JobControl&
 }
 
 void write_usda_mesh(std::ostream& out, const MeshData& data) {
+    // Points alone would not be shown, and a stage without a prim is no mesh to read again.
+    if (data.mesh.triangles.empty() && data.lines.lines.empty())
+        throw_error("USD", "there is nothing to write", "a mesh with triangles or lines");
     Animation animation;
     animation.name = "mesh";
     animation.millimetres_per_unit = 0;
     animation.frames = {0};
     animation.seconds = {0};
-    if (!data.mesh.positions.empty())
-        animation.bodies.push_back(
-            {"surface", BodyKind::muscle, data.mesh.triangles, {}, data.mesh.positions, {}, {}});
-    if (!data.lines.lines.empty())
-        animation.bodies.push_back(
-            {"lines", BodyKind::fibres, {}, data.lines.lines, data.lines.points, {}, {}});
+    animation.bodies = bodies_of_mesh(data, BodyKind::muscle);
     write_usda(out, animation);
 }
 

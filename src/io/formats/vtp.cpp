@@ -2,6 +2,7 @@
 
 #include "fascicle/base/assert.hpp"
 #include "fascicle/base/param_table.hpp"
+#include "fascicle/base/text.hpp"
 #include "io/formats/text_scanner.hpp"
 #include "io/formats/vtp_array.hpp"
 #include "io/formats/xml_reader.hpp"
@@ -9,6 +10,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
+#include <tuple>
 
 namespace fascicle::io {
 namespace {
@@ -35,7 +39,10 @@ private:
     void cells(const Piece& piece, std::size_t count, std::size_t least, Visit visit);
     /// Takes out arrays that not every piece has.
     void drop_partial(std::vector<NamedArray>& arrays, std::size_t count);
-    void arrays(std::vector<NamedArray>& into, std::size_t before, std::size_t count, std::size_t skip);
+    /// Numbers of the arrays of each name, number of components and number of values, so that pieces of very many are read quickly.
+    using ArrayIndex = std::map<std::tuple<std::string, int, std::size_t>, std::set<std::size_t>>;
+    void arrays(std::vector<NamedArray>& into, ArrayIndex& index, std::size_t before, std::size_t count,
+                std::size_t skip);
     NamedArray array() { return read_vtp_array(xml_, encoding_); }
 
     std::string_view bytes_;
@@ -44,6 +51,7 @@ private:
     VtpEncoding encoding_;
     MeshData data_;
     Points points_;
+    ArrayIndex point_index_, line_index_;
     std::string cell_arrays_; ///< names of those of polygons
     bool done_ = false;       ///< nothing that follows is looked at
 };
@@ -161,9 +169,10 @@ void VtpReader::piece() {
             cells(piece, piece.lines, 2,
                   [&](const std::vector<int>& cell) { data_.lines.lines.push_back(cell); });
         } else if (name == "PointData") {
-            arrays(data_.point_arrays, static_cast<std::size_t>(piece.first_point), piece.points, 0);
+            arrays(data_.point_arrays, point_index_, static_cast<std::size_t>(piece.first_point),
+                   piece.points, 0);
         } else if (name == "CellData" && piece.lines > 0) {
-            arrays(data_.line_arrays, lines_before, piece.lines,
+            arrays(data_.line_arrays, line_index_, lines_before, piece.lines,
                    piece.verts); // cells run verts, lines, polys, strips
         } else if (name == "CellData") {
             children([&](const std::string& inner) {
@@ -245,8 +254,8 @@ void VtpReader::cells(const Piece& piece, std::size_t count, std::size_t least, 
 
 /// Arrays with one entry for each of `count` items after the first `skip`. Later pieces append to arrays of
 /// the same name; an array that some piece lacks, or of another length, is left out.
-void VtpReader::arrays(std::vector<NamedArray>& into, std::size_t before, std::size_t count,
-                       std::size_t skip) {
+void VtpReader::arrays(std::vector<NamedArray>& into, ArrayIndex& index, std::size_t before,
+                       std::size_t count, std::size_t skip) {
     children([&](const std::string& name) {
         if (name != "DataArray" || !is_number_array(xml_))
             return xml_.skip_element();
@@ -259,14 +268,19 @@ void VtpReader::arrays(std::vector<NamedArray>& into, std::size_t before, std::s
         values.values.erase(values.values.begin(),
                             values.values.begin() + static_cast<std::ptrdiff_t>(n * skip));
         values.values.resize(n * count);
-        for (NamedArray& known : into)
-            if (known.name == values.name && known.components == values.components &&
-                known.values.size() == n * before) {
-                known.values.insert(known.values.end(), values.values.begin(), values.values.end());
-                return;
-            }
-        if (before == 0)
+        const auto known = index.find({values.name, values.components, n * before});
+        if (known != index.end()) {
+            const std::size_t number = *known->second.begin(); // of several of one name the first that waits
+            std::vector<double>& grown = into[number].values;
+            grown.insert(grown.end(), values.values.begin(), values.values.end());
+            known->second.erase(known->second.begin());
+            if (known->second.empty())
+                index.erase(known);
+            index[{values.name, values.components, grown.size()}].insert(number);
+        } else if (before == 0) {
+            index[{values.name, values.components, values.values.size()}].insert(into.size());
             into.push_back(std::move(values));
+        }
     });
 }
 
@@ -300,7 +314,7 @@ void put_named(std::string& out, const std::vector<NamedArray>& arrays, const ch
     out += std::string("<") + element + (normals ? " Normals=\"Normals\"" : "") + ">\n";
     for (const NamedArray& a : arrays)
         put_array(out,
-                  "type=\"Float64\" Name=\"" + xml_escaped(a.name) + "\" NumberOfComponents=\"" +
+                  "type=\"Float64\" Name=\"" + xml_escaped(valid_utf8(a.name)) + "\" NumberOfComponents=\"" +
                       std::to_string(a.components) + "\"",
                   a.values, 12, [](double v) { return number_text(v); });
     out += std::string("</") + element + ">\n";

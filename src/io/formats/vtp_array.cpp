@@ -51,7 +51,8 @@ bool is_number_array(const XmlReader& xml) {
 NamedArray read_vtp_array(XmlReader& xml, VtpEncoding& encoding) {
     NamedArray array;
     array.name = xml.attribute("Name");
-    const auto type = number_type(xml.attribute("type"));
+    // Texts are the bytes of their characters, with a zero behind each.
+    const auto type = number_type(xml.attribute("type") == "String" ? "UInt8" : xml.attribute("type"));
     if (!type)
         xml.fail("array of unknown type " + shown(xml.attribute("type")), "Float32, Float64, Int8 to UInt64");
     if (const std::string& text = xml.attribute("NumberOfComponents"); !text.empty()) {

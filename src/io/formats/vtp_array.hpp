@@ -9,7 +9,7 @@ namespace fascicle::io {
 /// Whether the <DataArray> that has just started holds numbers (not text).
 bool is_number_array(const XmlReader& xml);
 
-/// Reads the <DataArray> that has just started, to its end: ascii, inline base64, or from the appended data. Error when its numbers
+/// Reads the <DataArray> (or the <Array> of texts, as the bytes of its characters) that has just started, to its end: ascii, inline base64, or from the appended data. Error when its numbers
 /// are not numbers, its type is unknown, or its data are not what their header says.
 NamedArray read_vtp_array(XmlReader& xml, VtpEncoding& encoding);
 

@@ -23,6 +23,10 @@ std::string xml_escaped(std::string_view text) {
         default:
             out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
         }
+    // U+FFFE and U+FFFF are no characters of XML (section 2.2).
+    for (std::size_t at = 0; (at = out.find("\xEF\xBF", at)) != std::string::npos; at += 2)
+        if (at + 2 < out.size() && static_cast<unsigned char>(out[at + 2]) > 0xBD)
+            out[at + 2] = '\xBD';
     return out;
 }
 

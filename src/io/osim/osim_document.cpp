@@ -24,7 +24,8 @@ OsimDocument::OsimDocument(std::string_view bytes, std::string file) : bytes_(by
     if (std::count(bytes_.begin(), bytes_.end(), '<') > most_tags)
         throw_error(file_, "has more than two million tags", "a model");
     // No entities but XML's own, no DTD; bytes are taken as they are, since names in old files are not always UTF-8.
-    constexpr unsigned int flags = pugi::parse_escapes | pugi::parse_cdata | pugi::parse_eol;
+    constexpr unsigned int flags =
+        pugi::parse_escapes | pugi::parse_cdata | pugi::parse_eol | pugi::parse_doctype;
     const pugi::xml_parse_result result =
         document_.load_buffer(bytes_.data(), bytes_.size(), flags, pugi::encoding_utf8);
     if (!result) {
@@ -33,6 +34,9 @@ OsimDocument::OsimDocument(std::string_view bytes, std::string file) : bytes_(by
             what.front() = static_cast<char>(what.front() - 'A' + 'a');
         throw_error(file_ + ", line " + std::to_string(line_of(result.offset)), what, "well-formed XML");
     }
+    for (const pugi::xml_node node : document_.children())
+        if (node.type() == pugi::node_doctype)
+            fail(node, "a document type (entities)", "XML without one");
 }
 
 std::size_t OsimDocument::line_of(std::ptrdiff_t offset) const {

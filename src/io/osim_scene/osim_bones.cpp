@@ -12,8 +12,6 @@ namespace fascicle::io {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t most_triangles = 20'000'000;
-
 bool is_file(const fs::path& path) {
     std::error_code error;
     return fs::is_regular_file(path, error);
@@ -75,37 +73,64 @@ std::optional<fs::path> find_model_mesh(const fs::path& model, const std::string
     return std::nullopt;
 }
 
-std::optional<BodyBone> read_body_bone(const fs::path& model, const Body& body,
+std::shared_ptr<const ModelMeshes::Part> ModelMeshes::find(const std::string& name,
+                                                           std::vector<std::string>& notes) {
+    auto path = found_.find(name);
+    if (path == found_.end())
+        path = found_.emplace(name, find_model_mesh(model_, name)).first;
+    if (!path->second)
+        return nullptr;
+    std::shared_ptr<const Part>& part = parts_[*path->second];
+    if (part == nullptr) {
+        MeshFile file = read_mesh_file(*path->second);
+        const std::string file_name = path->second->filename().string();
+        for (const std::string& line : file.notes)
+            notes.push_back(file_name + ": " + line);
+        part = std::make_shared<const Part>(Part{file_name, std::move(file.mesh)});
+    }
+    return part;
+}
+
+void ModelMeshes::use(const Part& part, const Body& body, const TriMesh& so_far) {
+    const std::size_t points = part.mesh.positions.size(), triangles = part.mesh.triangles.size();
+    const auto fail = [&](const std::string& whose, const char* most) {
+        throw_error(model_.string(),
+                    whose + " more than " + most + " million points or triangles with " + part.name,
+                    "fewer: one file may be named again and again");
+    };
+    if (so_far.positions.size() + points > most_in_body || so_far.triangles.size() + triangles > most_in_body)
+        fail("the meshes of body '" + body.name + "' have", "5");
+    points_ += points;
+    triangles_ += triangles;
+    if (points_ > most_in_all || triangles_ > most_in_all)
+        fail("the meshes of its bodies have", "20");
+}
+
+std::optional<BodyBone> read_body_bone(ModelMeshes& meshes, const Body& body,
                                        std::vector<std::string>& missing, std::vector<std::string>& notes) {
     BodyBone bone;
-    for (const BodyMesh& part : body.meshes) {
-        const auto path = find_model_mesh(model, part.file);
-        if (!path) {
-            missing.push_back(fs::path(part.file).filename().string());
+    for (const BodyMesh& named : body.meshes) {
+        const auto part = meshes.find(named.file, notes);
+        if (part == nullptr) {
+            missing.push_back(fs::path(named.file).filename().string());
             continue;
         }
-        MeshFile file = read_mesh_file(*path);
-        for (const std::string& line : file.notes)
-            notes.push_back(path->filename().string() + ": " + line);
-        const bool mirrored = part.scale.prod() < 0;
+        meshes.use(*part, body, bone.mesh);
+        const bool mirrored = named.scale.prod() < 0;
         if (mirrored)
-            notes.push_back(path->filename().string() + ": mirrored by the model's scale factors");
+            notes.push_back(part->name + ": mirrored by the model's scale factors");
         const auto first = static_cast<int>(bone.mesh.positions.size());
-        for (const Vec3& p : file.mesh.positions)
-            bone.mesh.positions.push_back(part.pose.apply(part.scale.cwiseProduct(p)));
-        for (const Tri& t : file.mesh.triangles)
+        for (const Vec3& p : part->mesh.positions)
+            bone.mesh.positions.push_back(named.pose.apply(named.scale.cwiseProduct(p)));
+        for (const Tri& t : part->mesh.triangles)
             bone.mesh.triangles.push_back(mirrored ? Tri{first + t[0], first + t[2], first + t[1]}
                                                    : Tri{first + t[0], first + t[1], first + t[2]});
-        bone.files.push_back(path->filename().string());
-        if (bone.mesh.triangles.size() > most_triangles)
-            throw_error(model.string(),
-                        "the meshes of body '" + body.name + "' have more than 20 million triangles",
-                        "fewer: one file may be named again and again");
+        bone.files.push_back(part->name);
     }
     if (bone.files.empty() || bone.mesh.triangles.empty())
         return std::nullopt;
     MendedMesh mended = mend(std::move(bone.mesh));
-    require_bone_surface(mended.report, "body " + body.name + " of " + model.string());
+    require_bone_surface(mended.report, "body " + body.name + " of " + meshes.model().string());
     for (const std::string& line : mended.report.lines())
         notes.push_back(body.name + ": " + line);
     bone.mesh = std::move(mended.mesh);

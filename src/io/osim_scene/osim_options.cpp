@@ -44,7 +44,8 @@ MeshOfBodies parse_mesh_of_bodies(const std::string& option, const std::string& 
     if (equals == std::string::npos && !text.empty())
         return {text, {}};
     MeshOfBodies out{text.substr(0, equals), {}};
-    std::string rest = text.substr(equals + 1); // all of it without an equals sign: only an empty text, an error
+    std::string rest =
+        text.substr(equals + 1); // all of it without an equals sign: only an empty text, an error
     bool good = equals > 0;
     for (std::size_t comma; good; rest = rest.substr(comma + 1)) {
         comma = rest.find(',');

@@ -2,8 +2,8 @@
 #include "fascicle/anatomy/spindle.hpp"
 #include "fascicle/base/error.hpp"
 #include "fascicle/geometry/bounding_box.hpp"
-#include "fascicle/io/unit_guess.hpp"
 #include "fascicle/scene/line_muscles.hpp"
+#include "io/load_parts.hpp"
 #include "io/osim_scene/osim_loader.hpp"
 #include "io/osim_scene/osim_trial.hpp"
 
@@ -30,22 +30,23 @@ std::string fixed(double value, int decimals) {
 }
 
 void OsimSceneLoader::choose_unit() {
-    BoundingBox box;
-    const auto add = [&](const MeshPtr& mesh) { box.add(bounding_box(mesh->positions, mesh->triangles)); };
-    for (const BoneEntry& bone : bones_)
+    std::vector<MeshPtr*> meshes;
+    std::vector<MeshSource*> sources;
+    const auto add = [&](auto& thing) {
+        meshes.push_back(&thing.mesh);
+        sources.push_back(&thing.source);
+    };
+    for (BoneEntry& bone : bones_)
         if (!bone.of_model)
-            add(bone.bone.mesh);
-    for (const MuscleEntry& muscle : muscles_)
+            add(bone.bone);
+    for (MuscleEntry& muscle : muscles_)
         if (muscle.line < 0)
-            add(muscle.muscle.mesh);
+            add(muscle.muscle);
     scene_.unit = r_.unit.value_or(LengthUnit::metre);
-    if (!box.empty() && !r_.unit) {
-        const UnitGuess guess = guess_length_unit(box.diagonal());
-        scene_.unit = guess.unit;
-        say(guess.sentence());
-    }
+    if (!meshes.empty())
+        settle_units(meshes, sources, r_.unit, scene_.unit, loaded_.notes);
     units_ = scene_units_per_metre(scene_.unit);
-    if (!box.empty())
+    if (!meshes.empty())
         say(std::string("the model is in metres, ") + (scene_.unit == LengthUnit::metre
                                                            ? "as the meshes"
                                                            : "taken times 1000 to the meshes' millimetres"));

@@ -122,13 +122,14 @@ void OsimSceneLoader::read_bones() {
 
 void OsimSceneLoader::find_bones() {
     std::vector<std::string> lost;
+    ModelMeshes meshes(r_.osim.model);
     for (std::size_t b = 0; b < skeleton().bodies.size(); ++b) {
         const Body& body = skeleton().bodies[b];
         if (b == 0 || body.meshes.empty())
             continue; // ground is no bone; its mesh is a floor
         control_.checkpoint("read", 0.1 + 0.3 * double(b) / double(skeleton().bodies.size()));
         std::vector<std::string> missing;
-        std::optional<BodyBone> found = read_body_bone(r_.osim.model, body, missing, loaded_.notes);
+        std::optional<BodyBone> found = read_body_bone(meshes, body, missing, loaded_.notes);
         std::string names;
         for (const std::string& name : missing)
             names += (names.empty() ? "" : ", ") + name;

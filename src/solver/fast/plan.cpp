@@ -1,5 +1,6 @@
 #include "solver/fast/plan.hpp"
 
+#include "fascicle/geometry/float_rounding.hpp"
 #include "solver/coarse/elastic_terms.hpp"
 #include "solver/constraints/dihedral.hpp"
 #include "solver/constraints/distance.hpp"
@@ -73,11 +74,12 @@ private:
         plan_.origin = 0.5 * (low + high);
         plan_.inverse_mass.assign(plan_.records(), 0.0f);
         for (std::size_t i = 0; i < rest.size(); ++i) {
-            plan_.rest.push_back((rest[i] - plan_.origin).cast<float>().cast<double>());
+            plan_.rest.push_back(rest[i] - plan_.origin);
             const bool held =
                 problem_.body_of_vertex[i] >= 0 || topology_.vertex_component(static_cast<int>(i)) < 0;
             plan_.inverse_mass[record(static_cast<int>(i))] = held ? 0.0f : 1.0f;
         }
+        round_to_floats(plan_.rest);
     }
 
     bool pack_constraints() {
