@@ -5,6 +5,7 @@
 #include "reproduce/published.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <sstream>
@@ -55,7 +56,12 @@ std::string figure_of(const Experiment& e, int group) {
 }
 
 std::string told(double value, const char* unit) {
-    return (value == 0 ? "0" : std::abs(value) < 1e-4 ? "under 0.0001" : short_number(value, 3)) + unit;
+    if (std::abs(value) >= 1e-4 || !std::isfinite(value))
+        return short_number(value, 3) + unit;
+    char text[32]; // six decimals: what is less is rounding
+    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, 6);
+    const std::string digits(text, end.ptr);
+    return (digits.find_first_of("123456789") == std::string::npos ? "0" : digits) + unit;
 }
 
 /// ", classic 1.07 %; the worst rival, mass-spring, 12 %"
@@ -120,7 +126,7 @@ void judge_fibres(ExperimentResult& result, const MethodRun& own) {
                        (!hip       ? ""
                         : e.flexor ? " (a flexor must shorten)"
                                    : " (an extensor must lengthen)") +
-                       ", and " + short_number(end, 4) + " times at the end";
+                       "; at the end they are back to within " + told(100 * std::abs(end - 1), " %");
     if (result.real)
         for (const PublishedRatio& ratio : published_ratios())
             if (ratio.muscle == e.muscle && ratio.angle_deg > 50)

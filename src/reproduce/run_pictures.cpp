@@ -23,7 +23,7 @@ std::optional<int> place_of(const Recording& recording, int paper_frame, int las
     return std::nullopt;
 }
 
-/// Draws frames of one run with one camera: on the muscle wherever it goes, not on the whole of the bones.
+/// Draws frames of one run with one camera, on the muscle and not on the whole of the bones.
 class Painter {
 public:
     Painter(const Recording& recording, const Experiment& experiment)
@@ -33,13 +33,8 @@ public:
         view_.joint_axis = false;
         view_.line_muscles = false;
         BoundingBox all;
-        for (int k = 0; k < recording.frame_count(); ++k) {
-            const Points& points = *recording.frame(k)->muscle_positions.front();
-            for (const Vec3& p : points)
-                if (p.allFinite())
-                    muscle_.add(p);
+        for (int k = 0; k < recording.frame_count(); ++k)
             all.add(view::visible_bounds(view::subject_of(recording, k), view_));
-        }
         camera_.set_scene_bounds(all);
         if (experiment.motion == MotionKind::squeeze) {
             // Along the plates, which would hide the box from anywhere else.
@@ -49,12 +44,17 @@ public:
         } else {
             camera_.look_from(experiment.from.value_or(view::StandardView::anterior));
             camera_.orbit_by(0, 8 * std::numbers::pi / 180);
-            const Vec3 border = 0.25 * (muscle_.max - muscle_.min);
-            muscle_.add(muscle_.max + border);
-            muscle_.add(muscle_.min - border);
         }
+        // About the muscle at rest, so that all methods are seen from one place; a box squeezed to a tenth is three times as wide.
+        BoundingBox shown;
+        for (const Vec3& p : *recording.frame(0)->muscle_positions.front())
+            if (p.allFinite())
+                shown.add(p);
+        const Vec3 border = (experiment.motion == MotionKind::squeeze ? 1.1 : 0.3) * (shown.max - shown.min);
+        shown.add(shown.max + border);
+        shown.add(shown.min - border);
         const double aspect = double(picture_width) / picture_height;
-        camera_.frame(muscle_, aspect);
+        camera_.frame(shown, aspect);
     }
 
     /// Muscles see-through, so that fibres are seen.
@@ -77,7 +77,6 @@ private:
     view::Camera camera_;
     view::DrawCache cache_;
     view::PictureRenderer renderer_;
-    BoundingBox muscle_;
 };
 
 } // namespace
