@@ -205,6 +205,7 @@ TEST_CASE("PLY: written and read again is the same, to the last bit, with arrays
     add("tangent", 3);
     for (const char* name : {"x", "nx", "red", "alpha", "a_0", "a_1", "two words, 100 %", "größer", ""})
         add(name, 1);
+    add(std::string(500, '\0') + std::string(1000, 'n'), 1); // each NUL takes three letters
     add("Normals", 3);
     add("RGB", 3); // no bytes
     add("a_0", 2);

@@ -22,7 +22,7 @@ NumberType ply_type(TextScanner& scanner) {
 
 std::string next_name(TextScanner& scanner, const char* what) {
     const std::string_view word = scanner.next_word();
-    if (word.empty() || word.size() > 1000)
+    if (word.empty()) // of any length: other formats have no limit, and bytes that are no letters take three each
         scanner.fail("got " + shown(word), what);
     return std::string(word);
 }
