@@ -152,6 +152,16 @@ TEST_CASE("Normals in files of floats are of the rounded positions", "[io][fuzz]
     }
 }
 
+TEST_CASE("A negative zero in a glTF goes as a positive one, so that it is the same when written again",
+          "[io][fuzz]") {
+    const MeshFormat& format = format_of(".glb");
+    MeshData data;
+    data.mesh.positions = {Vec3(0, 0, 0), Vec3(1, -1e-70, 0), Vec3(0, 1, -0.0)};
+    data.mesh.triangles = {{0, 1, 2}};
+    const std::string first = written(format, data);
+    CHECK(written(format, format.read(first, "a")) == first);
+}
+
 TEST_CASE("Triangles and lines that are written to a scene and read again do not grow", "[io][fuzz]") {
     for (const char* extension : {".glb", ".usda"}) {
         const MeshFormat& format = format_of(extension);

@@ -179,7 +179,8 @@ void GlbWriter::floats_of(const Points& points, Floats& values) const {
     values.resize(points.size() * 3);
     for (std::size_t i = 0; i < points.size(); ++i)
         for (int c = 0; c < 3; ++c)
-            values[3 * i + static_cast<std::size_t>(c)] = to_float(points[i][c], where_);
+            // No negative zero: a reader's transforms take its sign away, and a file read and written again would be another.
+            values[3 * i + static_cast<std::size_t>(c)] = to_float(points[i][c], where_) + 0.0f;
 }
 
 /// Metres, y up. A rigid body: before its pose.
