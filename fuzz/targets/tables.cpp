@@ -17,13 +17,30 @@ using Rows = std::vector<std::vector<std::string>>;
 
 Rows all_rows(std::string_view bytes, const std::string& name) {
     CsvReader csv(bytes, name);
-    Rows rows{csv.columns()};
+    Rows rows;
+    rows.push_back(csv.columns());
     while (csv.next_row()) {
-        rows.emplace_back();
+        rows.emplace_back().reserve(csv.columns().size());
         for (int c = 0; c < static_cast<int>(csv.columns().size()); ++c)
             rows.back().push_back(csv.cell(c));
     }
     return rows;
+}
+
+/// Whether a table has these rows; one at a time, so that memory is the reader's, not that of a second copy.
+bool has_rows(std::string_view bytes, const Rows& rows) {
+    CsvReader csv(bytes, "written");
+    if (csv.columns() != rows.front())
+        return false;
+    std::size_t row = 1;
+    for (; csv.next_row(); ++row) {
+        if (row == rows.size() || rows[row].size() != csv.columns().size())
+            return false;
+        for (std::size_t c = 0; c < rows[row].size(); ++c)
+            if (csv.cell(static_cast<int>(c)) != rows[row][c])
+                return false;
+    }
+    return row == rows.size();
 }
 
 /// The octahedron about the origin, of radius 10.
@@ -58,7 +75,7 @@ void fuzz_csv(std::string_view bytes) {
     for (const std::string& name : rows.front())
         names = names || !name.empty();
     if (names)
-        FUZZ_CHECK(all_rows(text, "written") == rows);
+        FUZZ_CHECK(has_rows(text, rows));
     reads("fuzz.csv", [&] {
         CsvReader numbers(bytes, "fuzz.csv");
         while (numbers.next_row())
