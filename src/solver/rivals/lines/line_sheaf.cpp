@@ -1,0 +1,240 @@
+#include "solver/rivals/lines/line_sheaf.hpp"
+
+#include "fascicle/base/parallel.hpp"
+#include "fascicle/geometry/solid_query.hpp"
+#include "solver/rivals/lines/line_ends.hpp"
+#include "solver/rivals/lines/middle_line.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fascicle::solver {
+
+namespace {
+
+constexpr double longest_step_mm = 3.0; ///< below the depth at which a distance grid still knows the way out
+constexpr int most_steps = 100;
+/// A string is tight to this share of its mean segment; about 0.001 mm.
+constexpr double tolerance_share = 2e-4;
+constexpr double same_motion = 1e-11; ///< share of the distances at hand
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+Vec3 mean_of(const Points& points, const std::vector<int>& vertices) {
+    Vec3 sum = Vec3::Zero();
+    for (const int v : vertices)
+        sum += points[at(v)] / double(vertices.size());
+    return sum;
+}
+
+std::vector<double> vertex_areas(const TriMesh& surface) {
+    std::vector<double> areas(surface.positions.size(), 0.0);
+    for (const Tri& t : surface.triangles) {
+        const Vec3& a = surface.positions[at(t[0])];
+        const double area =
+            0.5 * (surface.positions[at(t[1])] - a).cross(surface.positions[at(t[2])] - a).norm();
+        for (const int v : t)
+            areas[at(v)] += area / 3.0;
+    }
+    return areas;
+}
+
+/// The first of the shares 1, 3/4, 1/2, 1/4 of the way from the middle at which the place is inside the muscle; else 0.
+Vec3 inside_place(const SolidQuery& inside, const Vec3& middle, const Vec3& offset) {
+    for (const double share : {1.0, 0.75, 0.5, 0.25})
+        if (inside.inside(middle + share * offset))
+            return middle + share * offset;
+    return middle;
+}
+
+void tighten(MuscleLine& line, const Points& before, std::span<const ContactSolid> solids,
+             const ContactSettings& contact) {
+    StringSettings settings;
+    settings.tolerance = tolerance_share * length_of(line.nodes) / double(line_nodes - 1);
+    tighten(line.nodes, line.held, before, solids, contact, settings);
+}
+
+} // namespace
+
+LineSheaf::LineSheaf(const SoftBodyProblem& problem, const MeshTopology& topology, const EndShares& shares,
+                     const ContactSettings& contact, int count, int via)
+    : contact_(contact), longest_step_(longest_step_mm / problem.unit_mm), poses_(problem.solids.size()) {
+    contact_.friction = 0.0;
+    for (int part = 0; part < topology.component_count(); ++part)
+        add_lines(problem, topology, shares, part, count, via);
+    for (const SolidBody& solid : problem.solids)
+        step_.push_back({solid.grid.get(), Pose{}, Pose{}});
+    for (MuscleLine& line : lines_) {
+        for (std::size_t k = 1; k + 1 < line_nodes; ++k)
+            if (!step_.empty())
+                resolve_contact(line.nodes[k], Points(line.nodes)[k], step_, contact_);
+        for (std::size_t k = 0; k < line_nodes; ++k)
+            line.rest[k] = line.nodes[k];
+        tighten(line, Points(line.nodes), step_, contact_);
+        line.rest = line.nodes;
+    }
+}
+
+void LineSheaf::add_lines(const SoftBodyProblem& problem, const MeshTopology& topology,
+                          const EndShares& shares, int part, int count, int via) {
+    const Points& rest = problem.surface->positions;
+    const std::size_t solids = shares.solids.size();
+    std::vector<std::vector<int>> attached(solids);
+    std::vector<int> vertices;
+    for (std::size_t v = 0; v < rest.size(); ++v) {
+        if (topology.vertex_component(static_cast<int>(v)) != part)
+            continue;
+        vertices.push_back(static_cast<int>(v));
+        for (std::size_t s = 0; s < solids; ++s)
+            if (problem.body_of_vertex[v] == shares.solids[s])
+                attached[s].push_back(static_cast<int>(v));
+    }
+    std::size_t hub = 0, others = 0;
+    for (std::size_t s = 0; s < solids; ++s) {
+        if (attached[s].size() > attached[hub].size())
+            hub = s;
+        others += attached[s].size();
+    }
+    if (solids < 2 || others == attached[hub].size())
+        return;
+    others -= attached[hub].size();
+
+    TriMesh piece{rest, {}};
+    for (const Tri& t : problem.surface->triangles)
+        if (topology.vertex_component(t[0]) == part && !has_repeated_index(t))
+            piece.triangles.push_back(t);
+    const SolidQuery inside(piece);
+    const std::vector<double> areas = vertex_areas(piece);
+    std::vector<double> u(rest.size(), 0.0), weight(rest.size(), 0.0);
+    for (const int v : vertices)
+        u[at(v)] = 1.0 - shares.of(at(v), hub);
+    for (std::size_t s = 0; s < solids; ++s) {
+        if (s == hub || attached[s].empty())
+            continue;
+        const int wanted = std::max(
+            1, static_cast<int>(std::lround(double(count) * double(attached[s].size()) / double(others))));
+        std::vector<int> from = even_vertices(rest, areas, attached[hub], wanted);
+        std::vector<int> to = even_vertices(rest, areas, attached[s], static_cast<int>(from.size()));
+        if (to.size() < from.size())
+            from = even_vertices(rest, areas, attached[hub], static_cast<int>(to.size()));
+        pair_ends(rest, from, to);
+        for (const int v : vertices)
+            weight[at(v)] = u[at(v)] > 0.0 ? shares.of(at(v), s) / u[at(v)] : 0.0;
+        const Vec3 first = mean_of(rest, from), last = mean_of(rest, to);
+        const MiddleLine middle = middle_line(rest, piece.triangles, u, weight, first, last);
+        for (std::size_t n = 0; n < from.size(); ++n) {
+            MuscleLine line;
+            line.part = part;
+            line.from = shares.solids[hub];
+            line.to = shares.solids[s];
+            const Vec3 a = rest[at(from[n])] - first, b = rest[at(to[n])] - last;
+            for (std::size_t k = 0; k < line_nodes; ++k) {
+                const double share = double(k) / double(line_nodes - 1);
+                line.nodes.push_back(inside_place(inside, middle.at(share), (1.0 - share) * a + share * b));
+            }
+            line.nodes.front() = rest[at(from[n])];
+            line.nodes.back() = rest[at(to[n])];
+            line.solid.assign(line_nodes, -1);
+            line.solid.front() = line.from;
+            line.solid.back() = line.to;
+            for (int j = 1; j <= via; ++j) {
+                const auto k = static_cast<std::size_t>(
+                    std::lround(double(j) * double(line_nodes - 1) / double(via + 1)));
+                const Tri& t = piece.triangles[at(inside.bvh().closest(line.nodes[k]).triangle)];
+                const double mean = (u[at(t[0])] + u[at(t[1])] + u[at(t[2])]) / 3.0;
+                line.solid[k] = mean < 0.5 ? line.from : line.to;
+            }
+            for (const int solid : line.solid)
+                line.held.push_back(solid >= 0 ? 1 : 0);
+            line.rest = line.nodes;
+            lines_.push_back(std::move(line));
+        }
+    }
+}
+
+int LineSheaf::steps_for(std::span<const ContactSolid> now) const {
+    double farthest = 0;
+    for (const MuscleLine& line : lines_)
+        for (const Vec3& q : line.nodes) {
+            const auto moved = [&](int solid) {
+                return now[at(solid)].now.apply(poses_[at(solid)].apply_inverse(q));
+            };
+            const Vec3 with_from = moved(line.from);
+            for (std::size_t b = 0; b < now.size(); ++b)
+                farthest = std::max(farthest, (moved(static_cast<int>(b)) - with_from).norm());
+        }
+    if (!std::isfinite(farthest))
+        return 1;
+    return static_cast<int>(std::clamp(std::ceil(farthest / longest_step_), 1.0, double(most_steps)));
+}
+
+void LineSheaf::move(std::span<const ContactSolid> now, int threads) {
+    if (lines_.empty())
+        return;
+    std::vector<Pose>& last = poses_;
+    double scale = 0, apart = 0; // how far the solids' motions differ, where the lines are
+    for (const MuscleLine& line : lines_)
+        for (const Vec3& q : {line.nodes.front(), line.nodes[line_nodes / 2], line.nodes.back()}) {
+            const Vec3 first = now[0].now.apply(last[0].apply_inverse(q));
+            scale = std::max({scale, q.norm(), first.norm(), now[0].now.translation.norm()});
+            for (std::size_t b = 1; b < now.size(); ++b)
+                apart = std::max(apart, (now[b].now.apply(last[b].apply_inverse(q)) - first).norm());
+        }
+    for (std::size_t b = 1; b < now.size(); ++b)
+        apart = std::max(apart, scale * (now[b].now.rotation * last[b].rotation.transpose() -
+                                         now[0].now.rotation * last[0].rotation.transpose())
+                                            .norm());
+    if (apart <= same_motion * scale) {
+        const Pose motion = now[0].now.after(last[0].inverse());
+        for (MuscleLine& line : lines_)
+            for (Vec3& q : line.nodes)
+                q = motion.is_identity() ? q : motion.apply(q);
+    } else {
+        const int steps = steps_for(now);
+        const std::vector<Pose> start = last;
+        for (int k = 0; k < steps; ++k) {
+            for (std::size_t b = 0; b < now.size(); ++b) {
+                step_[b] = now[b];
+                step_[b].before = screw_between(start[b], now[b].now, double(k) / steps);
+                step_[b].now = screw_between(start[b], now[b].now, double(k + 1) / steps);
+            }
+            step(step_, threads);
+        }
+    }
+    for (std::size_t b = 0; b < now.size(); ++b)
+        last[b] = now[b].now;
+}
+
+void LineSheaf::step(std::span<const ContactSolid> solids, int threads) {
+    parallel_for(threads, lines_.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t n = begin; n < end; ++n) {
+            MuscleLine& line = lines_[n];
+            const Points before = line.nodes;
+            for (std::size_t k = 0; k < line_nodes; ++k) {
+                if (line.solid[k] >= 0) {
+                    line.nodes[k] = solids[at(line.solid[k])].now.apply(line.rest[k]);
+                    if (k > 0 && k + 1 < line_nodes)
+                        resolve_contact(line.nodes[k], before[k], solids, contact_);
+                    continue;
+                }
+                const double share = double(k) / double(line_nodes - 1);
+                const auto carried = [&](int solid) {
+                    return solids[at(solid)].now.apply(solids[at(solid)].before.apply_inverse(before[k]));
+                };
+                line.nodes[k] = (1.0 - share) * carried(line.from) + share * carried(line.to);
+            }
+            tighten(line, before, solids, contact_);
+        }
+    });
+}
+
+std::size_t LineSheaf::bytes() const {
+    std::size_t sum = bytes_of(lines_, poses_, step_);
+    for (const MuscleLine& line : lines_)
+        sum += bytes_of(line.nodes, line.rest, line.solid, line.held);
+    return sum;
+}
+
+} // namespace fascicle::solver
