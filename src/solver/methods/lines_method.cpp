@@ -37,11 +37,10 @@ SolverMethod lines_method() {
               ParamKind::integer,
               0,
               8,
-              2,
+              3,
               {},
-              "Points on the muscle's middle at rest that a line passes, each fixed to the bone next to it; "
-              "0: the "
-              "line is tight from end to end.",
+              "Points on the muscle's middle at rest that a line passes, each fixed to the bone whose "
+              "attachment is next to it; 0: the line is tight from end to end.",
               "methods notes, section 6.1",
               false}}};
 }

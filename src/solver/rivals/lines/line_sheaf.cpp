@@ -16,6 +16,8 @@ constexpr double longest_step_mm = 3.0; ///< below the depth at which a distance
 constexpr int most_steps = 100;
 /// A string is tight to this share of its mean segment; about 0.001 mm.
 constexpr double tolerance_share = 2e-4;
+constexpr double known_share =
+    0.75; ///< of a grid's saturation, up to which it tells the distance and the way out
 constexpr double same_motion = 1e-11; ///< share of the distances at hand
 
 std::size_t at(int i) {
@@ -53,7 +55,7 @@ void tighten(MuscleLine& line, const Points& before, std::span<const ContactSoli
              const ContactSettings& contact) {
     StringSettings settings;
     settings.tolerance = tolerance_share * length_of(line.nodes) / double(line_nodes - 1);
-    tighten(line.nodes, line.held, before, solids, contact, settings);
+    tighten(line.nodes, line.held, before, solids, contact, line.clearance, settings);
 }
 
 } // namespace
@@ -74,7 +76,22 @@ LineSheaf::LineSheaf(const SoftBodyProblem& problem, const MeshTopology& topolog
             line.rest[k] = line.nodes[k];
         tighten(line, Points(line.nodes), step_, contact_);
         line.rest = line.nodes;
+        find_clearance(line);
     }
+}
+
+/// Muscle lies between a line and a bone beneath it, so a line wraps over bones at the distance that it has at rest, as far as the
+/// distance grids tell.
+void LineSheaf::find_clearance(MuscleLine& line) const {
+    line.clearance.assign(line_nodes, contact_.offset);
+    for (std::size_t k = 1; k + 1 < line_nodes; ++k)
+        for (std::size_t b = 0; b < step_.size(); ++b) {
+            const double far = known_share * step_[b].grid->saturation();
+            const double here = std::min(far, step_[b].grid->value(line.rest[k]));
+            line.clearance[k] = b == 0 ? here : std::min(line.clearance[k], here);
+        }
+    for (double& clearance : line.clearance)
+        clearance = std::max(clearance, contact_.offset);
 }
 
 void LineSheaf::add_lines(const SoftBodyProblem& problem, const MeshTopology& topology,

@@ -14,6 +14,7 @@ struct MuscleLine {
     int from = 0, to = 0;           ///< solids of its ends
     Points nodes;                   ///< line_nodes, where they are now
     Points rest;                    ///< line_nodes, at rest
+    std::vector<double> clearance;  ///< line_nodes: the distance that each keeps from the solids
     std::vector<int> solid;         ///< line_nodes: the solid that a node is fixed to, -1 none
     std::vector<std::uint8_t> held; ///< line_nodes: 1 where solid >= 0
 };
@@ -35,6 +36,7 @@ public:
 private:
     void add_lines(const SoftBodyProblem& problem, const MeshTopology& topology, const EndShares& shares,
                    int part, int count, int via);
+    void find_clearance(MuscleLine& line) const;
     void step(std::span<const ContactSolid> solids, int threads);
     int steps_for(std::span<const ContactSolid> now) const;
 

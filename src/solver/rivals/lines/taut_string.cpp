@@ -30,8 +30,9 @@ double length_of(const Points& nodes) {
 
 int tighten(Points& nodes, std::span<const std::uint8_t> held, const Points& before,
             std::span<const ContactSolid> solids, const ContactSettings& contact,
-            const StringSettings& settings) {
+            std::span<const double> clearance, const StringSettings& settings) {
     FASCICLE_ASSERT(held.size() == nodes.size() && before.size() == nodes.size());
+    FASCICLE_ASSERT(clearance.empty() || clearance.size() == nodes.size());
     const auto is_held = [&](std::size_t k) { return k == 0 || k + 1 == nodes.size() || held[k] != 0; };
     std::size_t longest = 0, since = 0;
     for (std::size_t k = 1; k < nodes.size(); ++k) {
@@ -43,10 +44,13 @@ int tighten(Points& nodes, std::span<const std::uint8_t> held, const Points& bef
     }
     if (longest < 2)
         return 0;
+    ContactSettings apart = contact;
     const auto wanted = [&](std::size_t k, double factor) {
         Vec3 x = nodes[k] + factor * (0.5 * (nodes[k - 1] + nodes[k + 1]) - nodes[k]);
+        if (!clearance.empty())
+            apart.offset = clearance[k];
         if (!solids.empty())
-            resolve_contact(x, before[k], solids, contact);
+            resolve_contact(x, before[k], solids, apart);
         return x;
     };
     const auto looseness = [&] {

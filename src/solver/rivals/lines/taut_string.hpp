@@ -18,10 +18,11 @@ struct StringSettings {
 /// segments between two held nodes are then equally long. Projected successive over-relaxation: each node goes to the middle of its
 /// neighbours, by a factor beyond it, and out of the solids along the gradient of their grids (resolve_contact()). Between nodes a
 /// segment cuts at most l^2 / (8 R) into a surface of radius R. Nothing moves when the string is tight already.
-/// before: the nodes at the start of the step, as many, for what is too deep inside. Sweeps done.
+/// before: the nodes at the start of the step, as many, for what is too deep inside. clearance: the distance that each node keeps from
+/// the solids, in place of contact.offset; empty: that. Sweeps done.
 int tighten(Points& nodes, std::span<const std::uint8_t> held, const Points& before,
             std::span<const ContactSolid> solids, const ContactSettings& contact,
-            const StringSettings& settings);
+            std::span<const double> clearance, const StringSettings& settings);
 
 /// Sum of the segments.
 double length_of(const Points& nodes);
