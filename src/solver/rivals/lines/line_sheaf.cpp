@@ -69,12 +69,10 @@ LineSheaf::LineSheaf(const SoftBodyProblem& problem, const MeshTopology& topolog
     for (const SolidBody& solid : problem.solids)
         step_.push_back({solid.grid.get(), Pose{}, Pose{}});
     for (MuscleLine& line : lines_) {
-        for (std::size_t k = 1; k + 1 < line_nodes; ++k)
-            if (!step_.empty())
-                resolve_contact(line.nodes[k], Points(line.nodes)[k], step_, contact_);
-        for (std::size_t k = 0; k < line_nodes; ++k)
-            line.rest[k] = line.nodes[k];
-        tighten(line, Points(line.nodes), step_, contact_);
+        const Points before = line.nodes;
+        for (std::size_t k = 1; k + 1 < line_nodes && !step_.empty(); ++k)
+            resolve_contact(line.nodes[k], before[k], step_, contact_);
+        tighten(line, before, step_, contact_);
         line.rest = line.nodes;
         find_clearance(line);
     }
