@@ -1,4 +1,5 @@
 #include "fascicle/geometry/primitives.hpp"
+#include "solver/rivals/lines/attachment_pairs.hpp"
 #include "solver/rivals/lines/end_shares.hpp"
 #include "solver/rivals/lines/line_binding.hpp"
 #include "solver/rivals/lines/line_ends.hpp"
@@ -144,6 +145,41 @@ TEST_CASE("lines: ends are spread evenly and joined without crossing", "[solver]
     // More than there are; and all at one place.
     CHECK(even_vertices(points, areas, std::vector<int>{0, 2, 4}, 9).size() == 3);
     CHECK(even_vertices(Points(5, Vec3(1, 1, 1)), areas, std::vector<int>{0, 1, 2}, 3).size() == 1);
+}
+
+TEST_CASE("lines: lines run from what stays to what moves, else from the attachment that is alone",
+          "[solver][lines]") {
+    const auto area = [](int solid, std::size_t vertices, const Vec3& middle, bool moves) {
+        return AttachedArea{solid, std::vector<int>(vertices, 0), middle, moves};
+    };
+    // Two heads and an insertion; the second head has most vertices.
+    std::vector<AttachedArea> areas{area(0, 10, Vec3(-5, 0, 0), false), area(1, 30, Vec3(5, 0, 0), false),
+                                    area(4, 20, Vec3(0, 0, 50), true)};
+    const auto ends = [](const std::vector<AttachmentPair>& pairs) {
+        std::vector<std::array<int, 3>> list;
+        for (const AttachmentPair& p : pairs)
+            list.push_back({int(p.from), int(p.to), p.lines});
+        return list;
+    };
+    using Ends = std::vector<std::array<int, 3>>;
+    CHECK(ends(pair_attachments(areas, 12)) == Ends{{0, 2, 3}, {1, 2, 9}});
+    areas[2].moves = false; // nothing is known
+    CHECK(ends(pair_attachments(areas, 12)) == Ends{{2, 0, 3}, {2, 1, 9}});
+    for (AttachedArea& a : areas)
+        a.moves = true;
+    CHECK(ends(pair_attachments(areas, 1)) == Ends{{2, 0, 1}, {2, 1, 1}});
+    // Two of each.
+    areas[0].moves = areas[1].moves = false;
+    areas.push_back(area(5, 20, Vec3(0, 5, 50), true));
+    CHECK(ends(pair_attachments(areas, 16)) == Ends{{0, 2, 2}, {0, 3, 2}, {1, 2, 6}, {1, 3, 6}});
+    // Two alone: the one with more vertices begins, then the first.
+    areas.resize(2);
+    CHECK(ends(pair_attachments(areas, 4)) == Ends{{1, 0, 4}});
+    areas[0].vertices.resize(30);
+    CHECK(ends(pair_attachments(areas, 4)) == Ends{{0, 1, 4}});
+    areas.resize(1);
+    CHECK(pair_attachments(areas, 4).empty());
+    CHECK(pair_attachments({}, 4).empty());
 }
 
 TEST_CASE("lines: shares of the ends rise evenly along a bar, and the middle line is its axis",

@@ -264,13 +264,19 @@ TEST_CASE("lines: any number of attachments and parts, holes and flat pieces are
             solver->positions()[std::size_t(count) + v].z() - parts->positions[std::size_t(count) + v].z();
         CHECK((rise > 0.2 && rise < 3.8));
     }
-    // Three solids: lines from the one with most vertices to each other one.
+    // Three solids: lines from one of them to each other one.
     Seen seen(three, 12, 1);
     std::vector<int> to(3, 0);
     for (const MuscleLine& line : seen.sheaf.lines())
         ++to[std::size_t(line.to)];
     CHECK(std::count(to.begin(), to.end(), 0) == 1);
     CHECK(seen.sheaf.lines().size() >= 11);
+    // Or, where two of them are known to move, from the one that stays.
+    three.carry_weights.assign(3 * three.body_of_vertex.size(), 0.0);
+    three.carry_weights[3] = three.carry_weights[5] = 0.5;
+    Seen told(three, 12, 1);
+    for (const MuscleLine& line : told.sheaf.lines())
+        CHECK(line.from == 1);
 }
 
 TEST_CASE("lines: its parameters act, and threads do not", "[solver][lines]") {

@@ -2,6 +2,7 @@
 
 #include "fascicle/base/parallel.hpp"
 #include "fascicle/geometry/solid_query.hpp"
+#include "solver/rivals/lines/attachment_pairs.hpp"
 #include "solver/rivals/lines/line_ends.hpp"
 #include "solver/rivals/lines/middle_line.hpp"
 
@@ -41,6 +42,52 @@ std::vector<double> vertex_areas(const TriMesh& surface) {
             areas[at(v)] += area / 3.0;
     }
     return areas;
+}
+
+/// By solid, of one part of the surface.
+std::vector<AttachedArea> attached_areas(const SoftBodyProblem& problem, const MeshTopology& topology,
+                                         int part) {
+    const std::size_t solids = problem.solids.size();
+    std::vector<AttachedArea> areas(solids);
+    for (std::size_t v = 0; v < problem.body_of_vertex.size(); ++v)
+        if (const int solid = problem.body_of_vertex[v];
+            solid >= 0 && topology.vertex_component(static_cast<int>(v)) == part)
+            areas[at(solid)].vertices.push_back(static_cast<int>(v));
+    for (std::size_t s = 0; s < solids; ++s) {
+        areas[s].solid = static_cast<int>(s);
+        areas[s].middle = mean_of(problem.surface->positions, areas[s].vertices);
+        for (std::size_t k = s; k < problem.carry_weights.size() && !areas[s].moves; k += solids)
+            areas[s].moves = problem.carry_weights[k] != 0.0; // no vertex follows a solid that stays
+    }
+    std::erase_if(areas, [](const AttachedArea& area) { return area.vertices.empty(); });
+    return areas;
+}
+
+double share_of(int solid, std::size_t vertex, const EndShares& shares) {
+    const auto it = std::lower_bound(shares.solids.begin(), shares.solids.end(), solid);
+    return shares.of(vertex, static_cast<std::size_t>(it - shares.solids.begin()));
+}
+
+/// By vertex: how much of it is of the attachments where lines end, against those where they begin.
+std::vector<double> end_side(const std::vector<AttachedArea>& areas, const std::vector<AttachmentPair>& pairs,
+                             const EndShares& shares) {
+    std::vector<double> u(shares.values.size() / shares.solids.size(), 0.0);
+    for (std::size_t a = 0; a < areas.size(); ++a)
+        if (std::any_of(pairs.begin(), pairs.end(), [&](const AttachmentPair& p) { return p.to == a; }))
+            for (std::size_t v = 0; v < u.size(); ++v)
+                u[v] = std::min(1.0, u[v] + share_of(areas[a].solid, v, shares));
+    return u;
+}
+
+/// By vertex: how much of it is of the pair of attachments, among all pairs.
+std::vector<double> pair_weights(int from, int to, const std::vector<double>& u, const EndShares& shares) {
+    std::vector<double> weights(u.size(), 0.0);
+    for (std::size_t v = 0; v < u.size(); ++v) {
+        const double begin = u[v] < 1.0 ? share_of(from, v, shares) / (1.0 - u[v]) : 1.0;
+        const double end = u[v] > 0.0 ? share_of(to, v, shares) / u[v] : 1.0;
+        weights[v] = std::min(1.0, begin) * std::min(1.0, end);
+    }
+    return weights;
 }
 
 /// The first of the shares 1, 3/4, 1/2, 1/4 of the way from the middle at which the place is inside the muscle; else 0.
@@ -95,55 +142,32 @@ void LineSheaf::find_clearance(MuscleLine& line) const {
 void LineSheaf::add_lines(const SoftBodyProblem& problem, const MeshTopology& topology,
                           const EndShares& shares, int part, int count, int via) {
     const Points& rest = problem.surface->positions;
-    const std::size_t solids = shares.solids.size();
-    std::vector<std::vector<int>> attached(solids);
-    std::vector<int> vertices;
-    for (std::size_t v = 0; v < rest.size(); ++v) {
-        if (topology.vertex_component(static_cast<int>(v)) != part)
-            continue;
-        vertices.push_back(static_cast<int>(v));
-        for (std::size_t s = 0; s < solids; ++s)
-            if (problem.body_of_vertex[v] == shares.solids[s])
-                attached[s].push_back(static_cast<int>(v));
-    }
-    std::size_t hub = 0, others = 0;
-    for (std::size_t s = 0; s < solids; ++s) {
-        if (attached[s].size() > attached[hub].size())
-            hub = s;
-        others += attached[s].size();
-    }
-    if (solids < 2 || others == attached[hub].size())
+    const std::vector<AttachedArea> areas = attached_areas(problem, topology, part);
+    const std::vector<AttachmentPair> pairs = pair_attachments(areas, count);
+    if (pairs.empty())
         return;
-    others -= attached[hub].size();
-
     TriMesh piece{rest, {}};
     for (const Tri& t : problem.surface->triangles)
         if (topology.vertex_component(t[0]) == part && !has_repeated_index(t))
             piece.triangles.push_back(t);
     const SolidQuery inside(piece);
-    const std::vector<double> areas = vertex_areas(piece);
-    std::vector<double> u(rest.size(), 0.0), weight(rest.size(), 0.0);
-    for (const int v : vertices)
-        u[at(v)] = 1.0 - shares.of(at(v), hub);
-    for (std::size_t s = 0; s < solids; ++s) {
-        if (s == hub || attached[s].empty())
-            continue;
-        const int wanted = std::max(
-            1, static_cast<int>(std::lround(double(count) * double(attached[s].size()) / double(others))));
-        std::vector<int> from = even_vertices(rest, areas, attached[hub], wanted);
-        std::vector<int> to = even_vertices(rest, areas, attached[s], static_cast<int>(from.size()));
+    const std::vector<double> sizes = vertex_areas(piece);
+    const std::vector<double> u = end_side(areas, pairs, shares);
+    for (const AttachmentPair& pair : pairs) {
+        const AttachedArea &begin = areas[pair.from], &end = areas[pair.to];
+        std::vector<int> from = even_vertices(rest, sizes, begin.vertices, pair.lines);
+        std::vector<int> to = even_vertices(rest, sizes, end.vertices, static_cast<int>(from.size()));
         if (to.size() < from.size())
-            from = even_vertices(rest, areas, attached[hub], static_cast<int>(to.size()));
+            from = even_vertices(rest, sizes, begin.vertices, static_cast<int>(to.size()));
         pair_ends(rest, from, to);
-        for (const int v : vertices)
-            weight[at(v)] = u[at(v)] > 0.0 ? shares.of(at(v), s) / u[at(v)] : 0.0;
         const Vec3 first = mean_of(rest, from), last = mean_of(rest, to);
-        const MiddleLine middle = middle_line(rest, piece.triangles, u, weight, first, last);
+        const MiddleLine middle = middle_line(rest, piece.triangles, u,
+                                              pair_weights(begin.solid, end.solid, u, shares), first, last);
         for (std::size_t n = 0; n < from.size(); ++n) {
             MuscleLine line;
             line.part = part;
-            line.from = shares.solids[hub];
-            line.to = shares.solids[s];
+            line.from = begin.solid;
+            line.to = end.solid;
             const Vec3 a = rest[at(from[n])] - first, b = rest[at(to[n])] - last;
             for (std::size_t k = 0; k < line_nodes; ++k) {
                 const double share = double(k) / double(line_nodes - 1);
@@ -155,15 +179,14 @@ void LineSheaf::add_lines(const SoftBodyProblem& problem, const MeshTopology& to
             line.solid.front() = line.from;
             line.solid.back() = line.to;
             for (int j = 1; j <= via; ++j) {
-                const auto k = static_cast<std::size_t>(
-                    std::lround(double(j) * double(line_nodes - 1) / double(via + 1)));
+                const double share = double(j) / double(via + 1);
+                const auto k = static_cast<std::size_t>(std::lround(share * double(line_nodes - 1)));
                 const Tri& t = piece.triangles[at(inside.bvh().closest(line.nodes[k]).triangle)];
                 const double mean = (u[at(t[0])] + u[at(t[1])] + u[at(t[2])]) / 3.0;
                 line.solid[k] = mean < 0.5 ? line.from : line.to;
             }
             for (const int solid : line.solid)
                 line.held.push_back(solid >= 0 ? 1 : 0);
-            line.rest = line.nodes;
             lines_.push_back(std::move(line));
         }
     }

@@ -21,8 +21,8 @@ struct MuscleLine {
 
 class LineSheaf {
 public:
-    /// Every part of the surface that is attached to two solids or more gets at most `count` lines, from the solid with the most
-    /// attached vertices to each other one, as many to each as it has vertices, at least one; `via` points on each (0 to 8).
+    /// Every part of the surface that is attached to two solids or more gets about `count` lines between its attachments
+    /// (pair_attachments()), with `via` points on each (0 to 8).
     LineSheaf(const SoftBodyProblem& problem, const MeshTopology& topology, const EndShares& shares,
               const ContactSettings& contact, int count, int via);
 
