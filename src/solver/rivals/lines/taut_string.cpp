@@ -28,12 +28,16 @@ double length_of(const Points& nodes) {
     return sum;
 }
 
-int tighten(Points& nodes, std::span<const std::uint8_t> held, const Points& before,
+int tighten(Points& nodes, const StringHolds& holds, const Points& before,
             std::span<const ContactSolid> solids, const ContactSettings& contact,
-            std::span<const double> clearance, const StringSettings& settings) {
-    FASCICLE_ASSERT(held.size() == nodes.size() && before.size() == nodes.size());
-    FASCICLE_ASSERT(clearance.empty() || clearance.size() == nodes.size());
-    const auto is_held = [&](std::size_t k) { return k == 0 || k + 1 == nodes.size() || held[k] != 0; };
+            const StringSettings& settings) {
+    FASCICLE_ASSERT(holds.hold.size() == nodes.size() && before.size() == nodes.size());
+    FASCICLE_ASSERT(holds.base.empty() || holds.base.size() == nodes.size());
+    FASCICLE_ASSERT(holds.along.size() == holds.base.size());
+    FASCICLE_ASSERT(holds.clearance.empty() || holds.clearance.size() == nodes.size());
+    const auto is_held = [&](std::size_t k) {
+        return k == 0 || k + 1 == nodes.size() || holds.hold[k] == NodeHold::held;
+    };
     std::size_t longest = 0, since = 0;
     for (std::size_t k = 1; k < nodes.size(); ++k) {
         ++since;
@@ -47,8 +51,10 @@ int tighten(Points& nodes, std::span<const std::uint8_t> held, const Points& bef
     ContactSettings apart = contact;
     const auto wanted = [&](std::size_t k, double factor) {
         Vec3 x = nodes[k] + factor * (0.5 * (nodes[k - 1] + nodes[k + 1]) - nodes[k]);
-        if (!clearance.empty())
-            apart.offset = clearance[k];
+        if (holds.hold[k] == NodeHold::ray)
+            x = holds.base[k] + std::max(0.0, (x - holds.base[k]).dot(holds.along[k])) * holds.along[k];
+        if (!holds.clearance.empty())
+            apart.offset = holds.clearance[k];
         if (!solids.empty())
             resolve_contact(x, before[k], solids, apart);
         return x;

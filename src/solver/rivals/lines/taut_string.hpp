@@ -7,22 +7,36 @@
 
 namespace fascicle::solver {
 
+enum class NodeHold : std::uint8_t {
+    free,
+    held, ///< stays where it is
+    ray   ///< on the ray base + s along, s >= 0: held to one side
+};
+
+/// What holds the nodes of a string, one of each per node.
+struct StringHolds {
+    std::span<const NodeHold> hold; ///< first and last node count as held
+    std::span<const Vec3> base;     ///< of nodes on rays; empty: there are none
+    std::span<const Vec3> along;    ///< of nodes on rays, unit
+    /// Distance that a free node keeps from the solids in place of ContactSettings::offset; empty: that.
+    std::span<const double> clearance;
+};
+
 struct StringSettings {
     double tolerance =
         0; ///< it is tight when no node is farther than this from where its neighbours and the solids want it
     int most_sweeps = 400;
 };
 
-/// Moves the nodes that are free (held[k] == 0; first and last count as held) to the shortest way between the held ones that does not
-/// enter the solids: of all polylines near to this one that with the least sum of squared segments, sum |q_k+1 - q_k|^2, whose
-/// segments between two held nodes are then equally long. Projected successive over-relaxation: each node goes to the middle of its
-/// neighbours, by a factor beyond it, and out of the solids along the gradient of their grids (resolve_contact()). Between nodes a
-/// segment cuts at most l^2 / (8 R) into a surface of radius R. Nothing moves when the string is tight already.
-/// before: the nodes at the start of the step, as many, for what is too deep inside. clearance: the distance that each node keeps from
-/// the solids, in place of contact.offset; empty: that. Sweeps done.
-int tighten(Points& nodes, std::span<const std::uint8_t> held, const Points& before,
+/// Moves the nodes that are not held to the shortest way that does not enter the solids: of all polylines near to this one that with the
+/// least sum of squared segments, sum |q_k+1 - q_k|^2, whose segments between two held nodes are then equally long. Projected successive
+/// over-relaxation: each node goes to the middle of its neighbours, by a factor beyond it, back to the nearest point of its ray if it
+/// has one, and out of the solids along the gradient of their grids (resolve_contact()). Between nodes a segment cuts at most
+/// l^2 / (8 R) into a surface of radius R. Nothing moves when the string is tight already.
+/// before: the nodes at the start of the step, as many, for what is too deep inside. Sweeps done.
+int tighten(Points& nodes, const StringHolds& holds, const Points& before,
             std::span<const ContactSolid> solids, const ContactSettings& contact,
-            std::span<const double> clearance, const StringSettings& settings);
+            const StringSettings& settings);
 
 /// Sum of the segments.
 double length_of(const Points& nodes);
