@@ -35,16 +35,16 @@ Points string_over(const TriMesh& mesh, const Vec3& from, const Vec3& to, double
         nodes.push_back(from + k / 40.0 * (to - from) +
                         Vec3(0, 0, 1.2 * radius * std::sin(std::numbers::pi * k / 40.0)));
     const Points before = nodes;
-    const std::vector<NodeHold> free(nodes.size(), NodeHold::free);
+    const std::vector<std::uint8_t> free(nodes.size(), 0);
     const std::vector<double> clearances(nodes.size(), clearance);
     StringSettings settings;
     settings.tolerance = 1e-3;
-    sweeps = tighten(nodes, {free, {}, {}, clearances}, before, solids, contact_of(0.1), settings);
+    sweeps = tighten(nodes, {free, clearances}, before, solids, contact_of(0.1), settings);
     CHECK(sweeps < settings.most_sweeps);
     for (std::size_t k = 1; k + 1 < nodes.size(); ++k)
         CHECK(grid.value(nodes[k]) > clearance - 0.01);
     const Points tight = nodes;
-    CHECK(tighten(nodes, {free, {}, {}, clearances}, nodes, solids, contact_of(0.1), settings) == 0);
+    CHECK(tighten(nodes, {free, clearances}, nodes, solids, contact_of(0.1), settings) == 0);
     CHECK(nodes == tight);
     return nodes;
 }
@@ -90,47 +90,27 @@ TEST_CASE("lines: a string without solids is straight between held nodes", "[sol
     Points nodes;
     for (int k = 0; k <= 20; ++k)
         nodes.emplace_back(k * k, std::sin(k), std::cos(3 * k));
-    std::vector<NodeHold> hold(nodes.size(), NodeHold::free);
-    hold[8] = NodeHold::held;
+    std::vector<std::uint8_t> hold(nodes.size(), 0);
+    hold[8] = 1;
     const Points start = nodes;
     StringSettings settings;
     settings.tolerance = 1e-9;
-    tighten(nodes, {hold, {}, {}, {}}, start, {}, contact_of(0.1), settings);
+    tighten(nodes, {hold, {}}, start, {}, contact_of(0.1), settings);
     for (std::size_t k = 0; k <= 20; ++k) {
         const Vec3 expected = k <= 8 ? Vec3(start[0] + double(k) / 8.0 * (start[8] - start[0]))
                                      : Vec3(start[8] + double(k - 8) / 12.0 * (start[20] - start[8]));
         CHECK((nodes[k] - expected).norm() < 1e-6);
     }
     // Nothing to do: two nodes, all held, or all at one place.
-    const std::vector<NodeHold> both(2, NodeHold::free);
+    const std::vector<std::uint8_t> both(2, 0);
     Points two{Vec3(0, 0, 0), Vec3(1, 2, 3)};
-    CHECK(tighten(two, {both, {}, {}, {}}, two, {}, contact_of(0.1), settings) == 0);
-    const std::vector<NodeHold> held(21, NodeHold::held);
+    CHECK(tighten(two, {both, {}}, two, {}, contact_of(0.1), settings) == 0);
+    const std::vector<std::uint8_t> held(21, 1);
     Points all = start;
-    CHECK(tighten(all, {held, {}, {}, {}}, start, {}, contact_of(0.1), settings) == 0);
+    CHECK(tighten(all, {held, {}}, start, {}, contact_of(0.1), settings) == 0);
     CHECK(all == start);
     Points one(21, Vec3(1, 2, 3));
-    CHECK(tighten(one, {hold, {}, {}, {}}, one, {}, contact_of(0.1), settings) == 0);
-}
-
-TEST_CASE("lines: a node on a ray holds the string on one side and lets it go on the other",
-          "[solver][lines]") {
-    // From (0, 0, 0) to (20, 0, height); the ray goes upwards from (10, 0, 3).
-    for (const double height : {0.0, 6.0, 10.0}) {
-        Points nodes;
-        for (int k = 0; k <= 20; ++k)
-            nodes.emplace_back(k, 0, height * k / 20 + (k % 20 == 0 ? 0.0 : 2.0));
-        std::vector<NodeHold> hold(nodes.size(), NodeHold::free);
-        hold[10] = NodeHold::ray;
-        const Points base(nodes.size(), Vec3(10, 0, 3)), along(nodes.size(), Vec3(0, 0, 1));
-        nodes[10] = base[10];
-        StringSettings settings;
-        settings.tolerance = 1e-7;
-        tighten(nodes, {hold, base, along, {}}, nodes, {}, contact_of(0.1), settings);
-        CHECK((nodes[10] - Vec3(10, 0, std::max(3.0, height / 2))).norm() < 1e-4);
-        CHECK(length_of(nodes) ==
-              Approx(height == 10.0 ? std::hypot(20, 10) : std::hypot(10, 3) + std::hypot(10, height - 3)));
-    }
+    CHECK(tighten(one, {hold, {}}, one, {}, contact_of(0.1), settings) == 0);
 }
 
 TEST_CASE("lines: ends are spread evenly and joined without crossing", "[solver][lines]") {

@@ -185,8 +185,7 @@ TEST_CASE("lines: via points go with the solid of the nearer attachment", "[solv
     poses[1].translation = Vec3(0, 0, 30);
     seen.sheaf.move(solids_at(problem, poses), 1);
     for (const MuscleLine& line : seen.sheaf.lines()) {
-        CHECK(std::count(line.hold.begin(), line.hold.end(), NodeHold::free) ==
-              std::ptrdiff_t(line_nodes) - 6);
+        CHECK(std::count(line.held.begin(), line.held.end(), 1) == 6);
         for (std::size_t k = 0; k < line_nodes; ++k)
             if (line.solid[k] >= 0) {
                 CHECK(line.solid[k] == (k < line_nodes / 2 ? 0 : 1));

@@ -11,42 +11,22 @@ namespace {
 
 constexpr double longest_step_mm = 3.0; ///< below the depth at which a distance grid still knows the way out
 constexpr int most_steps = 100;
-/// A string is tight to this share of its mean segment; about 0.001 mm.
-constexpr double tolerance_share = 2e-4;
+/// A string is tight to this share of its mean segment. How far it is off is up to 300 times as much, for a long free string: about
+/// 0.01 mm.
+constexpr double tolerance_share = 1e-5;
 constexpr double known_share =
     0.75; ///< of a grid's saturation, up to which it tells the distance and the way out
 constexpr double same_motion = 1e-11; ///< share of the distances at hand
-/// A via point bends the line where it is farther from its neighbours' segment than this share of the segment, a bend of 2.3 degrees.
-constexpr double least_bend = 0.01;
 
 std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
-void tighten(MuscleLine& line, const Points& before, std::span<const Vec3> base, std::span<const Vec3> along,
-             std::span<const ContactSolid> solids, const ContactSettings& contact) {
+void tighten(MuscleLine& line, const Points& before, std::span<const ContactSolid> solids,
+             const ContactSettings& contact) {
     StringSettings settings;
     settings.tolerance = tolerance_share * length_of(line.nodes) / double(line_nodes - 1);
-    tighten(line.nodes, {line.hold, base, along, line.clearance}, before, solids, contact, settings);
-}
-
-/// A via point holds the line on the side to which it bends it at rest; where the line wants to leave it to that side, it may, as with the
-/// conditional points of musculoskeletal models. One that does not bend the line at rest holds it for good.
-void find_lifts(MuscleLine& line) {
-    for (std::size_t k = 1; k + 1 < line_nodes; ++k) {
-        if (line.hold[k] != NodeHold::held)
-            continue;
-        const Vec3 &a = line.rest[k - 1], &b = line.rest[k + 1], &q = line.rest[k];
-        const double length = (b - a).norm();
-        if (!(length > 0.0))
-            continue;
-        const double share = std::clamp((q - a).dot(b - a) / (length * length), 0.0, 1.0);
-        const Vec3 bend = q - (a + share * (b - a));
-        if (bend.norm() < least_bend * length)
-            continue;
-        line.hold[k] = NodeHold::ray;
-        line.lift[k] = bend.normalized();
-    }
+    tighten(line.nodes, {line.held, line.clearance}, before, solids, contact, settings);
 }
 
 } // namespace
@@ -61,10 +41,9 @@ LineSheaf::LineSheaf(const SoftBodyProblem& problem, const MeshTopology& topolog
     for (MuscleLine& line : lines_) {
         for (std::size_t k = 1; k + 1 < line_nodes && !step_.empty(); ++k)
             resolve_contact(line.nodes[k], line.rest[k], step_, contact_);
-        tighten(line, line.rest, {}, {}, step_, contact_);
+        tighten(line, line.rest, step_, contact_);
         line.rest = line.nodes;
         find_clearance(line);
-        find_lifts(line);
     }
 }
 
@@ -140,25 +119,20 @@ void LineSheaf::step(std::span<const ContactSolid> solids, int threads) {
         for (std::size_t n = begin; n < end; ++n) {
             MuscleLine& line = lines_[n];
             const Points before = line.nodes;
-            Points base(line_nodes), along(line_nodes, Vec3::Zero());
             for (std::size_t k = 0; k < line_nodes; ++k) {
+                if (line.solid[k] >= 0) {
+                    line.nodes[k] = solids[at(line.solid[k])].now.apply(line.rest[k]);
+                    if (k > 0 && k + 1 < line_nodes)
+                        resolve_contact(line.nodes[k], before[k], solids, contact_);
+                    continue;
+                }
                 const double share = double(k) / double(line_nodes - 1);
                 const auto carried = [&](int solid) {
                     return solids[at(solid)].now.apply(solids[at(solid)].before.apply_inverse(before[k]));
                 };
-                if (line.solid[k] < 0) {
-                    line.nodes[k] = (1.0 - share) * carried(line.from) + share * carried(line.to);
-                    continue;
-                }
-                const Pose& pose = solids[at(line.solid[k])].now;
-                base[k] = pose.apply(line.rest[k]);
-                if (k > 0 && k + 1 < line_nodes)
-                    resolve_contact(base[k], before[k], solids, contact_);
-                along[k] = pose.rotation * line.lift[k];
-                line.nodes[k] =
-                    base[k] + std::max(0.0, (carried(line.solid[k]) - base[k]).dot(along[k])) * along[k];
+                line.nodes[k] = (1.0 - share) * carried(line.from) + share * carried(line.to);
             }
-            tighten(line, before, base, along, solids, contact_);
+            tighten(line, before, solids, contact_);
         }
     });
 }
@@ -166,7 +140,7 @@ void LineSheaf::step(std::span<const ContactSolid> solids, int threads) {
 std::size_t LineSheaf::bytes() const {
     std::size_t sum = bytes_of(lines_, poses_, step_);
     for (const MuscleLine& line : lines_)
-        sum += bytes_of(line.nodes, line.rest, line.solid, line.hold, line.lift, line.clearance);
+        sum += bytes_of(line.nodes, line.rest, line.solid, line.held, line.clearance);
     return sum;
 }
 

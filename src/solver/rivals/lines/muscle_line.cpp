@@ -136,9 +136,8 @@ void add_lines(const SoftBodyProblem& problem, const MeshTopology& topology, con
                 line.solid[k] = mean < 0.5 ? line.from : line.to;
             }
             for (const int solid : line.solid)
-                line.hold.push_back(solid >= 0 ? NodeHold::held : NodeHold::free);
+                line.held.push_back(solid >= 0 ? 1 : 0);
             line.rest = line.nodes;
-            line.lift.assign(line_nodes, Vec3::Zero());
             lines.push_back(std::move(line));
         }
     }

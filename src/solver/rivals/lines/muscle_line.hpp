@@ -11,14 +11,13 @@ inline constexpr std::size_t line_nodes = 41;
 
 /// Vectors are of line_nodes each.
 struct MuscleLine {
-    int part = 0;               ///< component of the surface that it runs through
-    int from = 0, to = 0;       ///< solids of its ends
-    Points nodes;               ///< where they are now
-    Points rest;                ///< at rest
-    std::vector<int> solid;     ///< that a node is fixed to, -1 none
-    std::vector<NodeHold> hold; ///< held or on a ray where solid >= 0
-    Points lift; ///< of nodes on rays: the direction at rest in which the line may leave its via point
-    std::vector<double> clearance; ///< the distance that a node keeps from the solids; empty: the contact's
+    int part = 0;                   ///< component of the surface that it runs through
+    int from = 0, to = 0;           ///< solids of its ends
+    Points nodes;                   ///< where they are now
+    Points rest;                    ///< at rest
+    std::vector<int> solid;         ///< that a node is fixed to, -1 none
+    std::vector<std::uint8_t> held; ///< 1 where solid >= 0
+    std::vector<double> clearance;  ///< the distance that a node keeps from the solids; empty: the contact's
 };
 
 /// Every part of the surface that is attached to two solids or more gets about `count` lines between its attachments

@@ -31,13 +31,9 @@ double length_of(const Points& nodes) {
 int tighten(Points& nodes, const StringHolds& holds, const Points& before,
             std::span<const ContactSolid> solids, const ContactSettings& contact,
             const StringSettings& settings) {
-    FASCICLE_ASSERT(holds.hold.size() == nodes.size() && before.size() == nodes.size());
-    FASCICLE_ASSERT(holds.base.empty() || holds.base.size() == nodes.size());
-    FASCICLE_ASSERT(holds.along.size() == holds.base.size());
+    FASCICLE_ASSERT(holds.held.size() == nodes.size() && before.size() == nodes.size());
     FASCICLE_ASSERT(holds.clearance.empty() || holds.clearance.size() == nodes.size());
-    const auto is_held = [&](std::size_t k) {
-        return k == 0 || k + 1 == nodes.size() || holds.hold[k] == NodeHold::held;
-    };
+    const auto is_held = [&](std::size_t k) { return k == 0 || k + 1 == nodes.size() || holds.held[k] != 0; };
     std::size_t longest = 0, since = 0;
     for (std::size_t k = 1; k < nodes.size(); ++k) {
         ++since;
@@ -51,8 +47,6 @@ int tighten(Points& nodes, const StringHolds& holds, const Points& before,
     ContactSettings apart = contact;
     const auto wanted = [&](std::size_t k, double factor) {
         Vec3 x = nodes[k] + factor * (0.5 * (nodes[k - 1] + nodes[k + 1]) - nodes[k]);
-        if (holds.hold[k] == NodeHold::ray)
-            x = holds.base[k] + std::max(0.0, (x - holds.base[k]).dot(holds.along[k])) * holds.along[k];
         if (!holds.clearance.empty())
             apart.offset = holds.clearance[k];
         if (!solids.empty())

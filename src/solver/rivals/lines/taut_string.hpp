@@ -7,18 +7,10 @@
 
 namespace fascicle::solver {
 
-enum class NodeHold : std::uint8_t {
-    free,
-    held, ///< stays where it is
-    ray   ///< on the ray base + s along, s >= 0: held to one side
-};
-
-/// What holds the nodes of a string, one of each per node.
+/// What a string's nodes must keep to, one of each per node.
 struct StringHolds {
-    std::span<const NodeHold> hold; ///< first and last node count as held
-    std::span<const Vec3> base;     ///< of nodes on rays; empty: there are none
-    std::span<const Vec3> along;    ///< of nodes on rays, unit
-    /// Distance that a free node keeps from the solids in place of ContactSettings::offset; empty: that.
+    std::span<const std::uint8_t> held; ///< 1 for a node that stays where it is; first and last always do
+    /// Distance that a node keeps from the solids in place of ContactSettings::offset; empty: that.
     std::span<const double> clearance;
 };
 
@@ -30,8 +22,7 @@ struct StringSettings {
 
 /// Moves the nodes that are not held to the shortest way that does not enter the solids: of all polylines near to this one that with the
 /// least sum of squared segments, sum |q_k+1 - q_k|^2, whose segments between two held nodes are then equally long. Projected successive
-/// over-relaxation: each node goes to the middle of its neighbours, by a factor beyond it, back to the nearest point of its ray if it
-/// has one, and out of the solids along the gradient of their grids (resolve_contact()). Between nodes a segment cuts at most
+/// over-relaxation: each node goes to the middle of its neighbours, by a factor beyond it, and out of the solids along the gradient of their grids (resolve_contact()). Between nodes a segment cuts at most
 /// l^2 / (8 R) into a surface of radius R. Nothing moves when the string is tight already.
 /// before: the nodes at the start of the step, as many, for what is too deep inside. Sweeps done.
 int tighten(Points& nodes, const StringHolds& holds, const Points& before,
