@@ -9,7 +9,7 @@ const std::vector<SolverMethod>& solver_methods() {
     using namespace solver;
     static const std::vector<SolverMethod> methods = {
         xpbd_method(), classic_method(), mass_spring_method(), arap_method(),
-        rbf_method(),  fem_method(),     xpbd_tet_method()};
+        rbf_method(),  fem_method(),     xpbd_tet_method(),    lines_method()};
     return methods;
 }
 

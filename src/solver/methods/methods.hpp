@@ -12,5 +12,6 @@ SolverMethod arap_method();
 SolverMethod rbf_method();
 SolverMethod fem_method();
 SolverMethod xpbd_tet_method();
+SolverMethod lines_method();
 
 } // namespace fascicle::solver
