@@ -143,6 +143,9 @@ std::vector<MetricRow> make_rows() {
     add("muscle_overlap_mm", "Overlap with other muscles", "mm",
         "Largest depth of a vertex inside another muscle beyond its depth there at rest.",
         [](M m) { return m.overlap_mm(); });
+    add("unconverged", "Passes without equilibrium", "1",
+        "Passes of the frame that a method which seeks equilibrium ended without it, all muscles.",
+        [](M m) { return static_cast<double>(m.report().unconverged); });
     return rows;
 }
 

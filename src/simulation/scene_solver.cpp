@@ -32,6 +32,7 @@ void add(StepReport& total, const StepReport& part) {
     total.impossible += part.impossible;
     total.samples_pushed += part.samples_pushed;
     total.samples_held += part.samples_held;
+    total.unconverged += part.unconverged;
     for (const auto& [stage, seconds] : part.stage_seconds)
         total.stage_seconds[stage] += seconds;
 }

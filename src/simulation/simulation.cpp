@@ -41,6 +41,7 @@ public:
         }
         control_.checkpoint("solve", 1.0);
         note_contact();
+        note_unconverged();
     }
 
 private:
@@ -55,6 +56,15 @@ private:
             recording_.add_note("contact: from frame " + std::to_string(first_impossible_) +
                                 " on the bones leave some vertices no place outside of all of them: the "
                                 "motion is not possible as it is");
+    }
+
+    void note_unconverged() {
+        if (unconverged_frames_ > 0)
+            recording_.add_note(scene_.parameters.get_choice("solver.method") + ": " +
+                                std::to_string(unconverged_frames_) + " of " +
+                                std::to_string(scene_.timeline.last_frame) +
+                                " frames ended before forces and volume were in balance, first in frame " +
+                                std::to_string(first_unconverged_) + "; smaller steps between frames help");
     }
 
     void solve_frame(int frame) {
@@ -105,6 +115,9 @@ private:
         report.ejected = total.ejected - before_.ejected;
         report.impossible = total.impossible - before_.impossible;
         report.samples_held = total.samples_held - before_.samples_held;
+        report.unconverged = total.unconverged - before_.unconverged;
+        if (report.unconverged > 0 && unconverged_frames_++ == 0)
+            first_unconverged_ = index;
         if (report.ejected > 0 && first_ejected_ < 0)
             first_ejected_ = index;
         if (report.impossible > 0 && first_impossible_ < 0)
@@ -147,7 +160,8 @@ private:
     std::unique_ptr<SceneSolver> solver_;
     StepReport before_;
     std::vector<std::size_t> released_;              ///< by muscle: attached vertices given up so far
-    int first_ejected_ = -1, first_impossible_ = -1; ///< frames
+    int first_ejected_ = -1, first_impossible_ = -1, first_unconverged_ = -1; ///< frames
+    int unconverged_frames_ = 0;
 };
 
 } // namespace

@@ -59,7 +59,7 @@ TEST_CASE("rest measured against itself", "[metrics][metric_table]") {
           "penetrating_vertices", "penetration_max_mm", "hausdorff_to_rest_mm", "displacement_mean_mm",
           "displacement_rms_mm", "displacement_max_mm", "attachment_drift_mm", "contacts", "unresolved",
           "non_finite", "solve_ms", "penetrating_centroids", "centroid_penetration_max_mm",
-          "penetrating_midpoints", "midpoint_penetration_max_mm", "muscle_overlap_mm"})
+          "penetrating_midpoints", "midpoint_penetration_max_mm", "muscle_overlap_mm", "unconverged"})
         CHECK(value(values, 0, key) == 0.0);
 }
 

@@ -129,6 +129,21 @@ TEST_CASE("The tangent of a tetrahedron is the derivative of its force, and the 
         const Mat12 definite = tet_stiffness(material, shape, f, true);
         CHECK(Eigen::SelfAdjointEigenSolver<Mat12>(definite).eigenvalues().minCoeff() >
               -1e-12 * definite.norm());
+        // A pressure's part belongs to both.
+        const Mat12 pressed = tet_stiffness(material, shape, f, false, -90.0);
+        for (int i = 0; i < 12; ++i) {
+            Corners plus = x, minus = x;
+            plus[std::size_t(i / 3)][i % 3] += h;
+            minus[std::size_t(i / 3)][i % 3] -= h;
+            Eigen::Matrix<double, 12, 1> measured;
+            const auto a = tet_gradient(material, shape, deformation_gradient(shape, plus), -90.0);
+            const auto b = tet_gradient(material, shape, deformation_gradient(shape, minus), -90.0);
+            for (int n = 0; n < 4; ++n)
+                measured.segment<3>(3 * n) = (a[std::size_t(n)] - b[std::size_t(n)]) / (2 * h);
+            CHECK((pressed.col(i) - measured).norm() < 1e-6 * pressed.norm());
+        }
+        const Mat12 raised = tet_stiffness(material, shape, f, true, -90.0);
+        CHECK(Eigen::SelfAdjointEigenSolver<Mat12>(raised).eigenvalues().minCoeff() > -1e-12 * raised.norm());
         // Where nothing was to be raised both are the same.
         if (Eigen::SelfAdjointEigenSolver<Mat12>(k).eigenvalues().minCoeff() > -1e-12 * k.norm())
             CHECK((k - definite).norm() < 1e-12 * k.norm());
@@ -152,16 +167,24 @@ TEST_CASE("Turning and shifting a tetrahedron costs nothing and turns its forces
 TEST_CASE("A tetrahedron under uniform stretch has the energy of the formula", "[solver][tet]") {
     const double young = 30, poisson = 0.3;
     const TetMaterial material = material_from(young, poisson);
-    // Free sides: e2 = e3 = -nu e1, W = E e1^2 / 2, P11 = E e1.
+    // One axis: W = mu e^2 + lambda e^2 / 2, P11 = (2 mu + lambda) e, P22 = lambda e (1 + e).
     const double e = 0.2;
-    const Mat3 f = Vec3(1 + e, 1 - poisson * e, 1 - poisson * e).asDiagonal();
-    CHECK(energy_density(material, Vec3::Zero(), f) == Approx(0.5 * young * e * e));
+    const Mat3 f = Vec3(1 + e, 1, 1).asDiagonal();
+    CHECK(energy_density(material, Vec3::Zero(), f) == Approx((material.mu + 0.5 * material.lambda) * e * e));
     const Mat3 p = first_piola(material, Vec3::Zero(), f);
-    CHECK(p(0, 0) == Approx(young * e));
-    CHECK(std::abs(p(1, 1)) < 1e-12);
-    // All around: W = (9/2) K e^2, K = E / (3 (1 - 2 nu)).
+    CHECK(p(0, 0) == Approx((2 * material.mu + material.lambda) * e));
+    CHECK(p(1, 1) == Approx(material.lambda * e * (1 + e)));
+    // Small, with free sides: e2 = e3 = -nu e1, W = E e1^2 / 2.
+    const double small = 1e-5;
+    const Mat3 bar = Vec3(1 + small, 1 - poisson * small, 1 - poisson * small).asDiagonal();
+    CHECK(energy_density(material, Vec3::Zero(), bar) == Approx(0.5 * young * small * small).epsilon(1e-4));
+    // All around: W = 3 mu e^2 + lambda/2 ((1 + e)^3 - 1)^2.
+    const double growth = std::pow(1 + e, 3) - 1;
     CHECK(energy_density(material, Vec3::Zero(), (1 + e) * Mat3::Identity()) ==
-          Approx(4.5 * young / (3 * (1 - 2 * poisson)) * e * e));
+          Approx(3 * material.mu * e * e + 0.5 * material.lambda * growth * growth));
+    // A pressure adds itself times dJ/dF.
+    CHECK((first_piola(material, Vec3::Zero(), f, 7.0) - p - 7.0 * f.determinant() * f.inverse().transpose())
+              .norm() < 1e-12);
     // Simple shear by a small angle: W = G gamma^2 / 2.
     Mat3 shear = Mat3::Identity();
     shear(0, 1) = 1e-4;

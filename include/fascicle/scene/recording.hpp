@@ -24,6 +24,7 @@ struct FrameReport {
     std::int64_t impossible = 0; ///< vertices for which there was none
     std::int64_t samples_held =
         0; ///< points on faces and edges left inside, held by an attachment or another bone
+    std::int64_t unconverged = 0; ///< passes that a method which seeks equilibrium ended without it
 };
 
 /// One frame of a run. muscle_positions: one array per muscle, vertices in the order of its mesh.

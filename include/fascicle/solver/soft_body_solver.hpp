@@ -63,6 +63,7 @@ struct StepReport {
     std::int64_t samples_held =
         0; ///< those that had to be left inside, held by an attachment or by another solid
     std::map<std::string, double> stage_seconds;
+    std::int64_t unconverged = 0; ///< passes that a method which seeks equilibrium ended without it
 };
 
 class SoftBodySolver {

@@ -1,7 +1,9 @@
 #include "solver/rivals/lattice_body.hpp"
 
+#include "fascicle/base/assert.hpp"
 #include "solver/rivals/lattice_fibres.hpp"
 #include "solver/rivals/lattice_fields.hpp"
+#include "solver/rivals/tet_statics.hpp"
 
 namespace fascicle::solver {
 
@@ -40,6 +42,39 @@ LatticeBody::LatticeBody(const SoftBodyProblem& problem, double spacing_mm)
 
 std::size_t LatticeBody::state_bytes() const {
     return RivalBody::state_bytes() + lattice_.bytes() + bytes_of(nodes_, node_shares_, fibres_, areas_);
+}
+
+bool LatticeBody::set_state(const Points& positions, const Points&) {
+    FASCICLE_ASSERT(positions.size() == x().size());
+    if (positions == x())
+        return true;
+    constexpr double stiff = 1000.0; // as attached vertices (fem_body.hpp), with a Young's modulus of 1
+    StaticsSettings settings;
+    settings.force_scale = lattice_.spacing * lattice_.spacing;
+    settings.tolerance = 1e-3;
+    settings.most_steps = 30;
+    settings.threads = problem().threads;
+    TetStatics fit(lattice_.nodes, lattice_.tets, lattice_.fill, {}, material_from(1.0, 0.4), settings);
+    std::vector<double> moves, counts(positions.size(), 0.0);
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const Vec3 move = positions[i] - rest()[i];
+        moves.insert(moves.end(), {move.x(), move.y(), move.z()});
+        if (lattice_.bindings[i].tet < 0)
+            continue;
+        counts[i] = 1.0;
+        fit.pulls().push_back({lattice_.bindings[i], positions[i], stiff * areas_[i] / lattice_.spacing});
+    }
+    const std::vector<double> node_moves = node_values(lattice_, moves, 3, counts, 0);
+    Points nodes = lattice_.nodes;
+    for (std::size_t n = 0; n < nodes.size(); ++n)
+        nodes[n] += Vec3(node_moves[3 * n], node_moves[3 * n + 1], node_moves[3 * n + 2]);
+    fit.solve(nodes);
+    for (const Vec3& p : nodes)
+        if (!p.allFinite())
+            return false;
+    nodes_ = std::move(nodes);
+    x() = positions;
+    return true;
 }
 
 void LatticeBody::carry_nodes() {

@@ -11,6 +11,9 @@ public:
     /// spacing_mm: of the lattice's cubes.
     LatticeBody(const SoftBodyProblem& problem, double spacing_mm);
     std::size_t state_bytes() const override;
+    /// Nodes follow from the positions: where these are the surface's own they stay, else they are where an elastic body is in
+    /// equilibrium whose every vertex is pulled to its position. last_step is not used.
+    bool set_state(const Points& positions, const Points& last_step) override;
     const EmbeddingLattice& lattice() const { return lattice_; }
     const Points& nodes() const { return nodes_; }
 

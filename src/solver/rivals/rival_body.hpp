@@ -48,6 +48,8 @@ protected:
     /// V: unit normal of the solid that held a vertex at the end of the last pass, zero where none did.
     const Points& contact_normals() const { return normals_; }
     const ContactSettings& contact() const { return contact_; }
+    /// For methods that seek equilibrium: this pass ended without it.
+    void note_unconverged() { ++report_.unconverged; }
     double param(std::string_view key) const { return problem_.parameters.get(key); }
 
 private:

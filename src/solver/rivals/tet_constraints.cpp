@@ -8,12 +8,11 @@ namespace fascicle::solver {
 
 TetConstraint volume_change(const TetShape& shape, const TetPoints& x) {
     const Mat3 f = deformation_gradient(shape, x);
-    Mat3 cofactor;
-    cofactor << f.col(1).cross(f.col(2)), f.col(2).cross(f.col(0)), f.col(0).cross(f.col(1));
+    const Mat3 areas = cofactor(f);
     TetConstraint c;
-    c.value = f.col(0).dot(cofactor.col(0)) - 1.0;
+    c.value = f.col(0).dot(areas.col(0)) - 1.0;
     for (std::size_t i = 0; i < 4; ++i)
-        c.gradient[i] = cofactor * shape.gradients[i];
+        c.gradient[i] = areas * shape.gradients[i];
     return c;
 }
 

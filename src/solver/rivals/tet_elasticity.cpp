@@ -2,6 +2,7 @@
 
 #include "solver/rivals/polar.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -35,10 +36,17 @@ Mat3 deformation_gradient(const TetShape& shape, const std::array<Vec3, 4>& x) {
     return f;
 }
 
+Mat3 cofactor(const Mat3& f) {
+    Mat3 c;
+    c << f.col(1).cross(f.col(2)), f.col(2).cross(f.col(0)), f.col(0).cross(f.col(1));
+    return c;
+}
+
 double energy_density(const TetMaterial& material, const Vec3& fibre, const Mat3& f) {
-    const Vec3 strain = signed_svd(f).sigma - Vec3::Ones();
-    const double trace = strain.sum();
-    double energy = material.mu * strain.squaredNorm() + 0.5 * material.lambda * trace * trace;
+    const Vec3 sigma = signed_svd(f).sigma;
+    const double growth = sigma.prod() - 1.0;
+    double energy =
+        material.mu * (sigma - Vec3::Ones()).squaredNorm() + 0.5 * material.lambda * growth * growth;
     if (material.fibre > 0.0 && !fibre.isZero(0.0)) {
         const double over = std::max(0.0, (f * fibre).norm() - 1.0);
         energy += 0.5 * material.fibre * over * over;
@@ -46,10 +54,10 @@ double energy_density(const TetMaterial& material, const Vec3& fibre, const Mat3
     return energy;
 }
 
-Mat3 first_piola(const TetMaterial& material, const Vec3& fibre, const Mat3& f) {
+Mat3 first_piola(const TetMaterial& material, const Vec3& fibre, const Mat3& f, double pressure) {
     const SignedSvd svd = signed_svd(f);
-    const Mat3 r = svd.rotation();
-    Mat3 p = 2.0 * material.mu * (f - r) + material.lambda * (svd.sigma.sum() - 3.0) * r;
+    Mat3 p = 2.0 * material.mu * (f - svd.rotation()) +
+             (material.lambda * (svd.sigma.prod() - 1.0) + pressure) * cofactor(f);
     if (material.fibre > 0.0 && !fibre.isZero(0.0)) {
         const Vec3 d = f * fibre;
         if (const double l = d.norm(); l > 1.0)
@@ -58,17 +66,20 @@ Mat3 first_piola(const TetMaterial& material, const Vec3& fibre, const Mat3& f) 
     return p;
 }
 
-std::array<Vec3, 4> tet_gradient(const TetMaterial& material, const TetShape& shape, const Mat3& f) {
-    const Mat3 p = shape.volume * first_piola(material, shape.fibre, f);
+std::array<Vec3, 4> tet_gradient(const TetMaterial& material, const TetShape& shape, const Mat3& f,
+                                 double pressure) {
+    const Mat3 p = shape.volume * first_piola(material, shape.fibre, f, pressure);
     std::array<Vec3, 4> gradient;
     for (std::size_t i = 0; i < 4; ++i)
         gradient[i] = p * shape.gradients[i];
     return gradient;
 }
 
-Mat12 tet_stiffness(const TetMaterial& material, const TetShape& shape, const Mat3& f, bool definite) {
+Mat12 tet_stiffness(const TetMaterial& material, const TetShape& shape, const Mat3& f, bool definite,
+                    double pressure) {
     const SignedSvd svd = signed_svd(f);
-    const double mu = material.mu, lambda = material.lambda, trace = svd.sigma.sum() - 3.0;
+    const Vec3& sigma = svd.sigma;
+    const double mu = material.mu, swell = material.lambda * (sigma.prod() - 1.0) + pressure;
     using Mat34 = Eigen::Matrix<double, 3, 4>;
     using Vec12 = Eigen::Matrix<double, 12, 1>;
     Mat34 g;
@@ -80,21 +91,35 @@ Mat12 tet_stiffness(const TetMaterial& material, const TetShape& shape, const Ma
         const Eigen::Map<const Vec12> c(columns.data());
         k.noalias() += (factor * c) * c.transpose();
     };
+    const auto raised = [&](double extra) { return definite ? std::max(extra, -2.0 * mu) : extra; };
     const Mat34 local = svd.v.transpose() * g;
-    add(svd.u * local, lambda); // r = U V^T
     for (int axis = 0; axis < 3; ++axis) {
         const int i = (axis + 1) % 3, j = (axis + 2) % 3;
-        double sum = svd.sigma[i] + svd.sigma[j];
+        double sum = sigma[i] + sigma[j];
         if (definite)
             sum = std::max(sum, 0.05); // a flattened tetrahedron turns easily; forces stay the true ones
-        double extra = (lambda * trace - 2.0 * mu) * 2.0 / sum;
-        if (definite)
-            extra = std::max(extra, -2.0 * mu);
-        Mat34 turned = Mat34::Zero(); // [e_axis]x local
+        Mat34 turned = Mat34::Zero();  // [e_axis]x local
         turned.row(j) = local.row(i);
         turned.row(i) = -local.row(j);
-        add(svd.u * turned, 0.5 * extra);
+        add(svd.u * turned, 0.5 * raised(swell * sigma[axis] - 4.0 * mu / sum));
+        turned.row(i) = local.row(j);
+        add(svd.u * turned, 0.5 * raised(-swell * sigma[axis]));
     }
+    const Vec3 areas(sigma[1] * sigma[2], sigma[2] * sigma[0], sigma[0] * sigma[1]);
+    Mat3 pairs;
+    pairs << 0, sigma[2], sigma[1], sigma[2], 0, sigma[0], sigma[1], sigma[0], 0;
+    Mat3 stretch = swell * pairs + material.lambda * areas * areas.transpose();
+    if (definite) {
+        const Eigen::SelfAdjointEigenSolver<Mat3> eigen(stretch);
+        stretch = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(-2.0 * mu).asDiagonal() *
+                  eigen.eigenvectors().transpose();
+    }
+    Eigen::Matrix<double, 12, 3> along_axes;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Mat34 columns = svd.u.col(axis) * local.row(axis);
+        along_axes.col(axis) = Eigen::Map<const Vec12>(columns.data());
+    }
+    k.noalias() += along_axes * stretch * along_axes.transpose();
     Mat3 fibre_block = Mat3::Zero();
     Eigen::Vector4d along = Eigen::Vector4d::Zero();
     if (material.fibre > 0.0 && !shape.fibre.isZero(0.0)) {

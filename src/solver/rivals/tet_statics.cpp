@@ -42,6 +42,7 @@ TetStatics::TetStatics(const Points& rest, std::vector<Tet> tets, const std::vec
         rest_shapes_.push_back(
             tet_shape(corners(t, rest_), weights[t], fibres.empty() ? Vec3(Vec3::Zero()) : fibres[t]));
         FASCICLE_ASSERT(rest_shapes_.back().volume > 0.0);
+        rest_volume_ += rest_shapes_.back().volume;
         for (const int a : tets_[t])
             for (const int b : tets_[t])
                 if (a != b)
@@ -87,6 +88,33 @@ Vec3 TetStatics::bound(const TetBinding& binding, const Points& x) const {
     return p;
 }
 
+double TetStatics::growth(const Points& x) const {
+    return ordered_sum(settings_.threads, tets_.size(), [&](std::size_t t) {
+        return shapes_[t].volume * (deformation_gradient(shapes_[t], corners(t, x)).determinant() - 1.0);
+    });
+}
+
+double TetStatics::volume_ratio(const Points& x) const {
+    return 1.0 + growth(x) / rest_volume_;
+}
+
+double TetStatics::pressure_at(double growth) const {
+    return volume_.stiffness * (1.0 + growth / rest_volume_ - volume_.ratio);
+}
+
+Eigen::VectorXd TetStatics::volume_gradient(const Points& x) const {
+    Eigen::VectorXd slope = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(x.size()));
+    for (std::size_t t = 0; t < tets_.size(); ++t) {
+        const Mat3 areas = shapes_[t].volume * cofactor(deformation_gradient(shapes_[t], corners(t, x)));
+        for (std::size_t k = 0; k < 4; ++k)
+            slope.segment<3>(3 * tets_[t][k]) += areas * shapes_[t].gradients[k];
+    }
+    for (std::size_t i = 0; i < fixed_.size(); ++i)
+        if (fixed_[i] != 0)
+            slope[static_cast<Eigen::Index>(i)] = 0.0;
+    return slope;
+}
+
 /// Small beside every elastic force, large beside rounding.
 double TetStatics::loose_stiffness() const {
     return 1e-3 * settings_.force_scale / std::cbrt(6.0 * rest_shapes_.front().volume);
@@ -99,11 +127,13 @@ double TetStatics::energy(const Points& x) const {
     });
     for (const TetPull& pull : pulls_)
         sum += 0.5 * pull.stiffness * (bound(pull.at, x) - pull.target).squaredNorm();
-    for (std::size_t i = 0; i < touches_.size() && depth_; ++i) {
-        Vec3 out;
-        const double depth = depth_(i, bound(touches_[i].at, x), out);
-        if (depth > 0.0)
-            sum += 0.5 * touches_[i].stiffness * depth * depth;
+    for (const TetTouch& touch : touches_) {
+        const double depth = std::max(0.0, touch.level - touch.out.dot(bound(touch.at, x)));
+        sum += 0.5 * touch.stiffness * depth * depth;
+    }
+    if (volume_.stiffness > 0.0) {
+        const double off = volume_ratio(x) - volume_.ratio;
+        sum += 0.5 * volume_.stiffness * rest_volume_ * off * off;
     }
     for (std::size_t i = 0; i < loads_.size(); ++i)
         sum -= loads_[i].dot(x[i] - rest_[i]);
@@ -115,9 +145,11 @@ double TetStatics::energy(const Points& x) const {
 
 Eigen::VectorXd TetStatics::gradient(const Points& x) const {
     std::vector<std::array<Vec3, 4>> parts(tets_.size());
+    const double pressure = volume_.stiffness > 0.0 ? pressure_at(growth(x)) : 0.0;
     parallel_for(settings_.threads, tets_.size(), chunk, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t)
-            parts[t] = tet_gradient(material_, shapes_[t], deformation_gradient(shapes_[t], corners(t, x)));
+            parts[t] = tet_gradient(material_, shapes_[t], deformation_gradient(shapes_[t], corners(t, x)),
+                                    pressure);
     });
     Eigen::VectorXd g = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(x.size()));
     const auto segment = [&](int node) { return g.segment<3>(3 * node); };
@@ -130,12 +162,9 @@ Eigen::VectorXd TetStatics::gradient(const Points& x) const {
     };
     for (const TetPull& pull : pulls_)
         spread(pull.at, pull.stiffness * (bound(pull.at, x) - pull.target));
-    for (std::size_t i = 0; i < touches_.size() && depth_; ++i) {
-        Vec3 out;
-        const double depth = depth_(i, bound(touches_[i].at, x), out);
-        if (depth > 0.0)
-            spread(touches_[i].at, -touches_[i].stiffness * depth * out);
-    }
+    for (const TetTouch& touch : touches_)
+        if (const double depth = touch.level - touch.out.dot(bound(touch.at, x)); depth > 0.0)
+            spread(touch.at, -touch.stiffness * depth * touch.out);
     for (std::size_t i = 0; i < loads_.size(); ++i)
         segment(static_cast<int>(i)) -= loads_[i];
     for (std::size_t i = 0; i < loose_.size(); ++i)
@@ -149,13 +178,20 @@ Eigen::VectorXd TetStatics::gradient(const Points& x) const {
 
 void TetStatics::assemble(const Points& x, bool definite) {
     matrix_.clear();
+    double pressure = 0.0;
+    slope_.resize(0);
+    if (volume_.stiffness > 0.0) {
+        pressure = pressure_at(growth(x));
+        slope_ = std::sqrt(volume_.stiffness / rest_volume_) * volume_gradient(x);
+    }
     std::vector<Mat12> parts(std::min(tets_.size(), std::size_t{4096}));
     for (std::size_t first = 0; first < tets_.size(); first += parts.size()) {
         const std::size_t count = std::min(parts.size(), tets_.size() - first);
         parallel_for(settings_.threads, count, 64, [&](std::size_t begin, std::size_t end) {
             for (std::size_t t = first + begin; t < first + end; ++t)
-                parts[t - first] = tet_stiffness(material_, shapes_[t],
-                                                 deformation_gradient(shapes_[t], corners(t, x)), definite);
+                parts[t - first] =
+                    tet_stiffness(material_, shapes_[t], deformation_gradient(shapes_[t], corners(t, x)),
+                                  definite, pressure);
         });
         for (std::size_t t = first; t < first + count; ++t)
             for (int i = 0; i < 4; ++i)
@@ -172,11 +208,9 @@ void TetStatics::assemble(const Points& x, bool definite) {
     };
     for (const TetPull& pull : pulls_)
         spread(pull.at, pull.stiffness * Mat3::Identity());
-    for (std::size_t i = 0; i < touches_.size() && depth_; ++i) {
-        Vec3 out;
-        if (depth_(i, bound(touches_[i].at, x), out) > 0.0)
-            spread(touches_[i].at, touches_[i].stiffness * out * out.transpose());
-    }
+    for (const TetTouch& touch : touches_)
+        if (touch.level - touch.out.dot(bound(touch.at, x)) > 0.0)
+            spread(touch.at, touch.stiffness * touch.out * touch.out.transpose());
     for (std::size_t i = 0; i < loose_.size(); ++i)
         if (loose_[i] != 0 && !start_.empty()) {
             const int node = static_cast<int>(i);
@@ -197,6 +231,7 @@ std::size_t TetStatics::bytes() const {
         analysed_ ? static_cast<std::size_t>(factor_.matrixL().nestedExpression().nonZeros()) : 0;
     return bytes_of(rest_, tets_, rest_shapes_, shapes_, places_, pulls_, touches_, loads_, start_, fixed_,
                     loose_) +
+           sizeof(double) * static_cast<std::size_t>(slope_.size() + solved_slope_.size()) +
            (entries + factor_entries) * (sizeof(double) + sizeof(int));
 }
 
@@ -211,14 +246,25 @@ void TetStatics::factor() {
     ++report_.factors;
 }
 
+Eigen::VectorXd TetStatics::precondition(const Eigen::VectorXd& right) const {
+    Eigen::VectorXd z = factor_.solve(right);
+    if (slope_.size() > 0)
+        z -= slope_.dot(z) / (1.0 + slope_.dot(solved_slope_)) * solved_slope_;
+    return z;
+}
+
 bool TetStatics::conjugate_gradients(const Eigen::VectorXd& right, double accuracy, int most,
                                      Eigen::VectorXd& step) {
     step.setZero(right.size());
-    Eigen::VectorXd r = right, z = factor_.solve(r), p = z;
+    if (slope_.size() > 0)
+        solved_slope_ = factor_.solve(slope_);
+    Eigen::VectorXd r = right, z = precondition(r), p = z;
     double rz = r.dot(z);
     const double enough = accuracy * accuracy * right.squaredNorm();
     for (int i = 0; i < most && rz > 0.0; ++i) {
-        const Eigen::VectorXd kp = matrix_.matrix() * p;
+        Eigen::VectorXd kp = matrix_.matrix() * p;
+        if (slope_.size() > 0)
+            kp += slope_.dot(p) * slope_;
         const double curvature = p.dot(kp);
         if (!(curvature > 0.0))
             return i > 0;
@@ -228,7 +274,7 @@ bool TetStatics::conjugate_gradients(const Eigen::VectorXd& right, double accura
         ++report_.inner;
         if (r.squaredNorm() <= enough)
             return true;
-        z = factor_.solve(r);
+        z = precondition(r);
         const double next = r.dot(z);
         p = z + next / rz * p;
         rz = next;
@@ -250,8 +296,6 @@ Eigen::VectorXd TetStatics::solve_linear(const Eigen::VectorXd& right, double ac
 
 const StaticsReport& TetStatics::solve(Points& x) {
     FASCICLE_ASSERT(x.size() == rest_.size());
-    if (!loose_.empty())
-        start_ = x;
     report_.steps = report_.inner = 0;
     double before = energy(x);
     Points next = x;

@@ -1,8 +1,10 @@
 #include "solver/rivals/xpbd_tet_body.hpp"
 
 #include "solver/rivals/lattice_body.hpp"
+#include "solver/rivals/lattice_fields.hpp"
 #include "solver/rivals/tet_constraints.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fascicle::solver {
@@ -27,7 +29,9 @@ public:
           volume_(problem.surface->positions, problem.surface->triangles,
                   problem.parameters.get("solver.pressure"),
                   problem.parameters.get_choice("solver.volume") == "kept"),
-          scale_(problem.unit_mm), damping_(param("solver.damping")), before_nodes_(nodes_), carried_(nodes_),
+          scale_(problem.unit_mm), damping_(param("solver.damping")),
+          seconds_(param("solver.frame_time") / passes_per_frame(problem.parameters)),
+          ratio_(param("solver.pressure")), before_nodes_(nodes_), carried_(nodes_),
           velocity_(nodes_.size(), Vec3::Zero()), node_inverse_mass_(nodes_.size(), 0.0) {
         for (std::size_t t = 0; t < lattice_.tets.size(); ++t) {
             rest_shapes_.push_back(tet_shape(corners(t), lattice_.fill[t], fibres()[t]));
@@ -49,10 +53,36 @@ public:
                     g = inverse.transpose() * g;
             }
     }
+    Points last_step() const override {
+        Points moves = velocity_;
+        for (Vec3& move : moves)
+            move *= std::exp(damping_ * seconds_) * seconds_;
+        Points steps(rest().size(), Vec3::Zero());
+        for (std::size_t i = 0; i < steps.size(); ++i)
+            if (lattice_.bindings[i].tet >= 0)
+                steps[i] = lattice_.bound_point(i, moves);
+        return steps;
+    }
+    bool set_state(const Points& positions, const Points& last_step) override {
+        if (!LatticeBody::set_state(positions, last_step))
+            return false;
+        if (last_step.size() != positions.size()) // from a method that knows no speeds
+            return true;
+        std::vector<double> steps, counts;
+        for (std::size_t i = 0; i < last_step.size(); ++i) {
+            steps.insert(steps.end(), {last_step[i].x(), last_step[i].y(), last_step[i].z()});
+            counts.push_back(lattice_.bindings[i].tet < 0 ? 0.0 : 1.0);
+        }
+        const std::vector<double> moves = node_values(lattice_, steps, 3, counts, 0);
+        const double keep = std::exp(-damping_ * seconds_) / seconds_;
+        for (std::size_t n = 0; n < nodes_.size(); ++n)
+            velocity_[n] = keep * Vec3(moves[3 * n], moves[3 * n + 1], moves[3 * n + 2]);
+        return true;
+    }
     std::size_t state_bytes() const override {
         return LatticeBody::state_bytes() +
                bytes_of(rest_shapes_, shapes_, before_nodes_, carried_, velocity_, untouched_,
-                        node_inverse_mass_) +
+                        node_inverse_mass_, slope_, stops_) +
                volume_.bytes();
     }
 
@@ -66,10 +96,13 @@ protected:
             nodes_[n] += seconds * velocity_[n];
         }
         sweep();
+        if (volume_.kept())
+            keep_lattice_volume();
         for (std::size_t i = 0; i < rest().size(); ++i)
             if (problem().body_of_vertex[i] >= 0)
                 bring(i, attached_point(problem(), solids(), i));
         skin();
+        lacking_ = volume_.wanted_volume() - volume_.evaluate(x());
         keep_volume_here();
         untouched_ = x();
     }
@@ -81,6 +114,10 @@ protected:
         for (std::size_t i = 0; i < x().size(); ++i)
             if (is_free(i) && (x()[i] - untouched_[i]).norm() * scale_ > least_push_mm)
                 bring(i, x()[i]);
+        if (volume_.kept()) { // what contact took away, too, the lattice is to make up for
+            lacking_ += volume_.wanted_volume() - volume_.evaluate(x());
+            ratio_ = std::clamp(ratio_ + 0.2 * lacking_ / volume_.rest_volume(), 0.5, 3.0);
+        }
         const double keep = std::exp(-damping_ * seconds_) / seconds_;
         for (std::size_t n = 0; n < nodes_.size(); ++n) {
             if (!nodes_[n].allFinite()) { // refused where it is born
@@ -117,6 +154,40 @@ private:
             put(t, x);
         }
     }
+    /// The volume of all tetrahedra as one constraint without compliance, C = sum V (det F - 1) - V0 (ratio - 1), dx = -w g C / sum w g^2.
+    /// ratio follows the surface's volume, so that the surface has its own. Nodes do not move against contact.
+    void keep_lattice_volume() {
+        slope_.assign(nodes_.size(), Vec3::Zero());
+        double growth = 0.0, rest_volume = 0.0;
+        for (std::size_t t = 0; t < lattice_.tets.size(); ++t) {
+            const TetConstraint c = volume_change(shapes_[t], corners(t));
+            growth += shapes_[t].volume * c.value;
+            rest_volume += shapes_[t].volume;
+            for (std::size_t k = 0; k < 4; ++k)
+                slope_[at(lattice_.tets[t][k])] += shapes_[t].volume * c.gradient[k];
+        }
+        const double off =
+            std::clamp(growth - rest_volume * (ratio_ - 1.0), -0.1 * rest_volume, 0.1 * rest_volume);
+        stops_.assign(nodes_.size(), Vec3::Zero());
+        for (std::size_t i = 0; i < rest().size(); ++i)
+            if (lattice_.bindings[i].tet >= 0 && !contact_normals()[i].isZero(0.0))
+                for (std::size_t k = 0; k < 4; ++k)
+                    stops_[at(lattice_.tets[at(lattice_.bindings[i].tet)][k])] +=
+                        std::max(0.0, lattice_.bindings[i].weights[k]) * contact_normals()[i];
+        double weight = 0.0;
+        for (std::size_t n = 0; n < nodes_.size(); ++n) {
+            if (const double size = stops_[n].norm(); size > 0.0) {
+                const Vec3 normal = stops_[n] / size;
+                if (const double along = slope_[n].dot(normal); - off * along < 0.0)
+                    slope_[n] -= along * normal;
+            }
+            weight += node_inverse_mass_[n] * slope_[n].squaredNorm();
+        }
+        if (!(weight > 0.0))
+            return;
+        for (std::size_t n = 0; n < nodes_.size(); ++n)
+            nodes_[n] -= off / weight * node_inverse_mass_[n] * slope_[n];
+    }
     /// As the base does it after this: done here, so that contacted() can tell what contact moved.
     void keep_volume_here() {
         constexpr int most_steps = 4;
@@ -140,10 +211,13 @@ private:
     TetMaterial material_;
     VolumeConstraint volume_;
     double scale_, damping_;
-    double seconds_ = 1.0;
+    double seconds_; ///< of a substep
+    double ratio_;   ///< wanted volume of the lattice, in those at rest
     bool forward_ = false;
     std::vector<TetShape> rest_shapes_, shapes_; ///< without and with active fibres
     Points before_nodes_, carried_, velocity_;
+    Points slope_, stops_;                  ///< of the volume by the nodes; sums of contact normals
+    double lacking_ = 0.0;                  ///< volume of the surface in its lattice
     Points untouched_;                      ///< the surface before contact
     std::vector<double> node_inverse_mass_; ///< 1 / kg
 };
