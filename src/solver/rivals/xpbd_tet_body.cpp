@@ -19,6 +19,8 @@ std::size_t at(int i) {
 constexpr double density = 1.056e-6;
 /// Below this it may be a last volume step as well.
 constexpr double least_push_mm = 1e-3;
+/// Volume and contact in turn, in a substep.
+constexpr int contact_rounds = 3;
 
 class XpbdTetBody final : public LatticeBody {
 public:
@@ -81,7 +83,7 @@ public:
     }
     std::size_t state_bytes() const override {
         return LatticeBody::state_bytes() +
-               bytes_of(rest_shapes_, shapes_, before_nodes_, carried_, velocity_, untouched_,
+               bytes_of(rest_shapes_, shapes_, before_nodes_, carried_, velocity_, untouched_, skinned_,
                         node_inverse_mass_, slope_, stops_) +
                volume_.bytes();
     }
@@ -96,12 +98,16 @@ protected:
             nodes_[n] += seconds * velocity_[n];
         }
         sweep();
-        if (volume_.kept())
-            keep_lattice_volume();
+        for (int round = 0; round < contact_rounds; ++round) {
+            if (volume_.kept())
+                keep_lattice_volume();
+            hold_out();
+        }
         for (std::size_t i = 0; i < rest().size(); ++i)
             if (problem().body_of_vertex[i] >= 0)
                 bring(i, attached_point(problem(), solids(), i));
         skin();
+        skinned_ = x();
         lacking_ = volume_.wanted_volume() - volume_.evaluate(x());
         keep_volume_here();
         untouched_ = x();
@@ -113,7 +119,7 @@ protected:
     void contacted() override {
         for (std::size_t i = 0; i < x().size(); ++i)
             if (is_free(i) && (x()[i] - untouched_[i]).norm() * scale_ > least_push_mm)
-                bring(i, x()[i]);
+                bring(i, skinned_[i] + x()[i] - untouched_[i]);
         if (volume_.kept()) { // what contact took away, too, the lattice is to make up for
             lacking_ += volume_.wanted_volume() - volume_.evaluate(x());
             ratio_ = std::clamp(ratio_ + 0.2 * lacking_ / volume_.rest_volume(), 0.5, 3.0);
@@ -198,6 +204,22 @@ private:
             volume_.project(x(), inverse_mass(), contact_normals());
         }
     }
+    /// Contact of the surface brought to the nodes at once, vertex by vertex: what is left to the base's contact is lost volume, since
+    /// that comes last.
+    void hold_out() {
+        if (solids().empty())
+            return;
+        for (std::size_t i = 0; i < rest().size(); ++i) {
+            if (!is_free(i) || lattice_.bindings[i].tet < 0)
+                continue;
+            Vec3 p = lattice_.bound_point(i, nodes_);
+            if (!p.allFinite())
+                continue;
+            const ContactResult result = resolve_contact(p, before()[i], solids(), contact());
+            if (result.touched)
+                bring(i, p);
+        }
+    }
     void bring(std::size_t vertex, const Vec3& target) {
         const TetBinding& binding = lattice_.bindings[vertex];
         if (binding.tet < 0)
@@ -218,6 +240,7 @@ private:
     Points before_nodes_, carried_, velocity_;
     Points slope_, stops_;                  ///< of the volume by the nodes; sums of contact normals
     double lacking_ = 0.0;                  ///< volume of the surface in its lattice
+    Points skinned_;                        ///< the surface in its lattice
     Points untouched_;                      ///< the surface before contact
     std::vector<double> node_inverse_mass_; ///< 1 / kg
 };
