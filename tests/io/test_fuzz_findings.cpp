@@ -85,6 +85,15 @@ TEST_CASE("A picture that ends with the claim of a large chunk is an error befor
     CHECK_THROWS_WITH(decode_png(bytes, "a.png"), Contains("a.png: damaged PNG picture (it ends within"));
 }
 
+TEST_CASE("A picture may have chunks of data that hold nothing", "[io][fuzz]") {
+    const std::vector<std::uint8_t> rgba(std::size_t{4} * 20 * 20, 7);
+    std::string bytes = encode_png(20, 20, rgba.data());
+    const std::string empty("\0\0\0\0IDAT\x35\xaf\x06\x1e", 12);
+    bytes.insert(33, empty); // after the header
+    CHECK(decode_png(bytes, "a.png").rgba == rgba);
+    CHECK_THROWS_WITH(decode_png(bytes.substr(0, 45), "a.png"), Contains("a.png") && Contains("no IDAT"));
+}
+
 TEST_CASE("A name that begins with a byte order mark is written so that it comes back", "[io][fuzz]") {
     std::ostringstream out;
     CsvWriter csv(out);

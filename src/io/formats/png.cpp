@@ -39,18 +39,38 @@ int bits_per_pixel(std::string_view bytes) {
     return std::max(1, depth * channels);
 }
 
+constexpr std::size_t chunk_ends = 12; ///< bytes of a chunk that are no data: length, name, checksum
+
+/// Data bytes that the chunk at `at` claims.
+std::size_t chunk_length(std::string_view bytes, std::size_t at) {
+    std::size_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        length = length << 8 | static_cast<unsigned char>(bytes[at + i]);
+    return length;
+}
+
 /// Whether the data of all chunks end within the file: stb makes room for what a chunk says, at the end of the file, too.
 bool chunks_fit(std::string_view bytes) {
-    constexpr std::size_t before = 8, after = 4; // length and name, checksum
-    for (std::size_t at = 8; at + before <= bytes.size();) {
-        std::size_t length = 0;
-        for (std::size_t i = 0; i < 4; ++i)
-            length = length << 8 | static_cast<unsigned char>(bytes[at + i]);
-        if (length > bytes.size() - at - before)
+    for (std::size_t at = 8; at + 8 <= bytes.size();) {
+        const std::size_t length = chunk_length(bytes, at);
+        if (length > bytes.size() - at - 8)
             return false;
-        at += before + length + after;
+        at += length + chunk_ends;
     }
     return true;
+}
+
+/// The file without IDAT chunks that hold nothing, which are allowed: stb would copy their no bytes to a null pointer.
+std::string without_empty_data(std::string_view bytes) {
+    std::string kept(bytes.substr(0, 8));
+    for (std::size_t at = 8; at < bytes.size();) {
+        const bool whole = at + 8 <= bytes.size();
+        const std::size_t size = whole ? chunk_length(bytes, at) + chunk_ends : bytes.size() - at;
+        if (!whole || size != chunk_ends || bytes.substr(at + 4, 4) != "IDAT")
+            kept += bytes.substr(at, size);
+        at += size;
+    }
+    return kept;
 }
 
 void append(void* bytes, void* data, int size) {
@@ -121,8 +141,11 @@ PngImage decode_png(std::string_view bytes, const std::string& name) {
                               " pixels, more than its " + std::to_string(bytes.size()) + " bytes can hold");
     if (!chunks_fit(bytes))
         throw_error(name, "damaged PNG picture (it ends within a chunk)");
+    const std::string kept = without_empty_data(bytes);
     const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
-        stbi_load_from_memory(data, size, &image.width, &image.height, &channels, 4), stbi_image_free);
+        stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(kept.data()), static_cast<int>(kept.size()),
+                              &image.width, &image.height, &channels, 4),
+        stbi_image_free);
     if (!decoded)
         throw_error(name, std::string("damaged PNG picture (") + stbi_failure_reason() + ")");
     image.rgba.assign(decoded.get(), decoded.get() + static_cast<std::size_t>(pixels) * 4);
