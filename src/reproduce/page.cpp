@@ -139,6 +139,10 @@ private:
             if (!run.fibre_pictures.empty())
                 html_ += "<h3>Fibres by " + xml_escaped(fibre_method(e)) + "</h3>\n";
             page_.pictures(run.fibre_pictures, e.key + ", fibres");
+            if (!run.line_pictures.empty())
+                html_ += "<h3>Line segments of the model, in blue</h3>\n<p><b>Fig. 22</b> The lines have via "
+                         "points and wrap over surfaces of their own; their moment arms are below.</p>\n";
+            page_.pictures(run.line_pictures, e.key + ", line segments");
         }
         numbers(result);
         page_.plots(experiment_plots(result), result.findings);

@@ -89,7 +89,8 @@ void run_method(const Planned& plan, MethodRun& row, const ReproduceOptions& opt
     const int flexed = static_cast<int>(row.run.flexed());
     row.flexed = reader.read_frame(flexed)->muscle_positions.front();
     if (options.pictures)
-        draw_pictures(*reader.read_recording(), *plan.result->experiment, row, options.is_short);
+        draw_pictures(*reader.read_recording(), plan.scene.scene.line_muscles, *plan.result->experiment, row,
+                      options.is_short);
 }
 
 void measure_distances(ExperimentResult& result, const Scene& scene) {

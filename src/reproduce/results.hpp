@@ -44,6 +44,7 @@ struct MethodRun {
     bool reused = false;
     std::vector<Picture> pictures;       ///< at frames of the paper
     std::vector<Picture> fibre_pictures; ///< where there are fibres
+    std::vector<Picture> line_pictures;  ///< of the program's own run, where there is a model of lines
     PointsPtr flexed;                    ///< surface at the end of the way out
     std::optional<SurfaceDistance> to_reference;
     bool done() const { return failure.empty(); }

@@ -182,6 +182,13 @@ std::string timings_json(const Results& results) {
                                  {"threads", row.threads},
                                  {"passes", row.passes},
                                  {"frames_per_second", row.frames_per_second}});
+    json["published_speed"] = Json::array();
+    for (const PublishedSpeed& row : published_speeds())
+        json["published_speed"].push_back(
+            {{"object", row.object},
+             {"triangles", row.triangles},
+             {"paper_frames_per_second", row.frames_per_second},
+             {"public_program_frames_per_second", row.program_frames_per_second}});
     json["rank_correlation"] = Json::array();
     for (const SpeedResult::Correlation& c : results.speed.correlations)
         json["rank_correlation"].push_back(

@@ -65,15 +65,28 @@ public:
         view_.occlusion = false;
     }
 
+    /// The model's lines in place of the fibres. A run that is read back has none.
+    void show_lines(const std::shared_ptr<const LineMuscles>& lines) {
+        show_fibres();
+        view_.fibres = false;
+        view_.line_muscles = true;
+        auto scene = std::make_shared<Scene>(recording_.scene());
+        scene->line_muscles = lines;
+        with_lines_ = std::move(scene);
+    }
+
     render::Image draw(int place) {
         const double aspect = double(picture_width) / picture_height;
-        return renderer_.draw(
-            view::build_draw_list(view::subject_of(recording_, place), view_, camera_.pose(aspect), cache_),
-            picture_width, picture_height);
+        view::ViewSubject subject = view::subject_of(recording_, place);
+        if (with_lines_ != nullptr)
+            subject.scene = with_lines_;
+        return renderer_.draw(view::build_draw_list(subject, view_, camera_.pose(aspect), cache_),
+                              picture_width, picture_height);
     }
 
 private:
     const Recording& recording_;
+    ScenePtr with_lines_; ///< null: drawn as recorded
     view::ViewOptions view_;
     view::Camera camera_;
     view::DrawCache cache_;
@@ -82,7 +95,8 @@ private:
 
 } // namespace
 
-void draw_pictures(const Recording& recording, const Experiment& experiment, MethodRun& row, bool is_short) {
+void draw_pictures(const Recording& recording, const std::shared_ptr<const LineMuscles>& lines,
+                   const Experiment& experiment, MethodRun& row, bool is_short) {
     const bool own = row.method == solver_methods().front().name;
     std::vector<int> frames{100, 300};
     if (is_sweep(experiment.motion))
@@ -105,6 +119,10 @@ void draw_pictures(const Recording& recording, const Experiment& experiment, Met
     if (own && !is_sweep(experiment.motion) && row.run.fibres.count() > 0) {
         painter.show_fibres();
         draw({0, 100}, row.fibre_pictures);
+        if (lines != nullptr && experiment.methods == MethodChoice::all) {
+            painter.show_lines(lines);
+            draw({0, 100}, row.line_pictures);
+        }
     }
 }
 
