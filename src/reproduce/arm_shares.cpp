@@ -1,6 +1,7 @@
 #include "reproduce/arm_shares.hpp"
 
 #include "reproduce/published.hpp"
+#include "reproduce/sweep.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +55,7 @@ WayOut arm_poses(const Experiment& experiment, const RunData& run) {
     const auto least = std::min_element(most, run.angle_deg.end());
     // The frame of the turn itself has the arms of the way there (excursion_arms).
     for (auto at = least; at > most; --at) {
-        result.flexion_deg.push_back(*at);
+        result.flexion_deg.push_back(*at + sweep_turn(experiment.motion).rest_deg);
         result.places.push_back(static_cast<std::size_t>(at - begin));
     }
     return result;

@@ -14,7 +14,7 @@ struct WayOut {
 WayOut way_out(const RunData& run);
 
 /// Poses that an experiment's arms are taken at: the way out; of a sweep from one side to the other, by ascending angle, without the way to
-/// where it begins.
+/// where it begins, and the angle is the joint's coordinate.
 WayOut arm_poses(const Experiment& experiment, const RunData& run);
 
 /// Over the fibres (or lines) of a run in each of the poses, mm; NaN where none is finite.

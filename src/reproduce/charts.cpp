@@ -4,6 +4,7 @@
 #include "reproduce/arm_shares.hpp"
 #include "reproduce/findings.hpp"
 #include "reproduce/published.hpp"
+#include "reproduce/sweep.hpp"
 
 #include <algorithm>
 #include <array>
@@ -184,14 +185,6 @@ void share_y(std::span<Plot> plots) {
         plot.chart.y_range = all;
 }
 
-double greatest_angle(const ExperimentResult& result) {
-    double most = 1;
-    for (const MethodRun& run : result.runs)
-        for (const double angle : run.run.angle_deg)
-            most = std::max(most, std::abs(angle));
-    return most;
-}
-
 /// Mean arms of all methods over the angle, with what is published.
 std::optional<Plot> arm_plot(const ExperimentResult& result) {
     const Experiment& e = *result.experiment;
@@ -207,7 +200,7 @@ std::optional<Plot> arm_plot(const ExperimentResult& result) {
     plot.chart.title = "Moment arm";
     plot.chart.unit = "mm";
     plot.chart.x_label = std::string(to_text(e.motion)) + " [deg]";
-    const double high = sweeps ? greatest_angle(result) : 60, low = sweeps ? -high : 0;
+    const double high = sweeps ? sweep_turn(e.motion).to_deg : 60, low = sweeps ? -high : 0;
     const double air = 0.015 * (high - low); // the whole of a dot at either end
     plot.chart.x_range = view::ChartSpan{low - air, high + air};
     std::vector<BandPoint> band = arm_band(e.muscle);

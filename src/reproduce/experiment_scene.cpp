@@ -4,27 +4,19 @@
 #include "fascicle/base/error.hpp"
 #include "fascicle/io/load_scene.hpp"
 #include "fascicle/scene/embedded_scenes.hpp"
+#include "reproduce/sweep.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 namespace fascicle::reproduce {
 
 namespace {
 
 const double flexion_deg =
-    -57.295779513082323;    // 1 rad forwards: a negative angle about +x (docs/conventions.md)
+    -57.295779513082323; // 1 rad forwards: a negative angle about +x (docs/conventions.md)
+const double radians = std::numbers::pi / 180;
 const double squeeze = -90; // units in y, of a gap of 100
-
-/// How a sweep turns the right femur, so that the angle is positive in the direction that the motion is named for. Axes are those of the
-/// data: x to the left, y backwards, z up.
-struct SweepTurn {
-    Vec3 axis;
-    double angle_deg; ///< to either side
-};
-SweepTurn sweep_turn(MotionKind motion) {
-    // About -y the lower end of the right femur goes to the left: inwards. About +z its front does.
-    return motion == MotionKind::adduction ? SweepTurn{-Vec3::UnitY(), 40} : SweepTurn{Vec3::UnitZ(), 30};
-}
 
 /// The files of a row, found; `missing` names those that are needed and not there.
 struct FoundFiles {
@@ -101,15 +93,17 @@ ExperimentScene make_experiment_scene(const Experiment& e, const DataFiles& data
         } else {
             SceneRequest& r = found.request;
             const bool sweeps = is_sweep(e.motion);
-            const SweepTurn turn = sweep_turn(e.motion);
-            r.hinge = HingeRequest{e.centre, sweeps ? turn.axis : Vec3::UnitX()};
-            r.angle_deg = sweeps ? turn.angle_deg : flexion_deg;
+            r.hinge = HingeRequest{e.centre, sweeps ? sweep_turn(e.motion).axis : Vec3::UnitX()};
+            r.angle_deg = sweeps ? sweep_turn(e.motion).to_deg - sweep_turn(e.motion).rest_deg : flexion_deg;
             r.unit = LengthUnit::millimetre;
             r.threads = threads;
             LoadedScene loaded = load_scene(r);
             result.scene = std::move(loaded.scene);
-            if (sweeps)
-                result.scene.timeline = through_rest(result.scene.timeline);
+            if (sweeps) {
+                const SweepTurn turn = sweep_turn(e.motion);
+                result.scene.timeline =
+                    through_rest(result.scene.timeline, radians * (-turn.to_deg - turn.rest_deg));
+            }
             result.notes = std::move(loaded.notes);
         }
     } else if (!e.stand_in.empty()) {
@@ -125,28 +119,6 @@ ExperimentScene make_experiment_scene(const Experiment& e, const DataFiles& data
     }
     if (e.fibres != "none")
         result.scene.parameters.set_text("fibres.method", e.fibres);
-    return result;
-}
-
-Timeline through_rest(const Timeline& out) {
-    FASCICLE_ASSERT(out.hinge.has_value());
-    std::vector<int> moving;
-    for (std::size_t b = 0; b < out.bone_tracks.size(); ++b)
-        if (out.moves(static_cast<int>(b)))
-            moving.push_back(static_cast<int>(b));
-    const int third = out.last_frame / 3, bones = static_cast<int>(out.bone_tracks.size());
-    const double angle = out.angle_rad(third);
-    Timeline result = make_hinge_timeline(*out.hinge, angle, {third, third, 0}, bones, moving);
-    const Timeline other = make_hinge_timeline(*out.hinge, -angle, {third, 0, 0}, bones, moving);
-    const double begin = result.last_frame;
-    result.last_frame += other.last_frame;
-    for (const AngleKey& key : other.angles)
-        if (key.frame > 0) // at 0 both are at rest
-            result.angles.push_back({begin + key.frame, key.angle_rad});
-    for (std::size_t b = 0; b < result.bone_tracks.size(); ++b)
-        for (const PoseKey& key : other.bone_tracks[b].keys)
-            if (key.frame > 0)
-                result.bone_tracks[b].keys.push_back({begin + key.frame, key.pose});
     return result;
 }
 

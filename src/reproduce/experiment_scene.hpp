@@ -21,9 +21,6 @@ struct ExperimentScene {
 /// threads: for reading; changes nothing in the result. Errors of bad files are thrown; files that are not there are `missing`.
 ExperimentScene make_experiment_scene(const Experiment& experiment, const DataFiles& data, int threads);
 
-/// From a motion out and back about a hinge: out, back through rest and as far to the other side, each third of the frames.
-Timeline through_rest(const Timeline& out);
-
 /// The same motion in fewer or more frames: what happens in frame k happens in frame k frames / last_frame. frames >= 1.
 Timeline in_frames(const Timeline& timeline, int frames);
 

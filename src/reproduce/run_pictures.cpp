@@ -1,6 +1,7 @@
 #include "reproduce/run_pictures.hpp"
 
 #include "fascicle/solver/soft_body_solver.hpp"
+#include "reproduce/sweep.hpp"
 #include "reproduce/words.hpp"
 #include "view/build_draw_list.hpp"
 #include "view/render_picture.hpp"
@@ -107,7 +108,8 @@ void draw_pictures(const Recording& recording, const std::shared_ptr<const LineM
     const auto caption = [&](int frame) {
         if (!is_sweep(experiment.motion))
             return "frame " + std::to_string(frame);
-        const double angle = row.run.angle_deg.at(row.run.index_at(frame));
+        const double angle =
+            row.run.angle_deg.at(row.run.index_at(frame)) + sweep_turn(experiment.motion).rest_deg;
         return told_number(angle) + "\xC2\xB0 of " + to_text(experiment.motion);
     };
     const auto draw = [&](const std::vector<int>& wanted, std::vector<Picture>& into) {

@@ -5,6 +5,7 @@
 #include "reproduce/page_writer.hpp"
 #include "reproduce/published.hpp"
 #include "reproduce/results_json.hpp"
+#include "reproduce/sweep.hpp"
 #include "reproduce/words.hpp"
 
 #include <catch2/catch.hpp>
@@ -200,9 +201,9 @@ TEST_CASE("reproduce: arms of adduction are held against the published ranges", 
     run.fibres.names = {"0", "1"};
     run.lines.names = {"iliacus_r", "psoas_r"};
     for (int k = 0; k <= 12; ++k) {
-        const double angle = k <= 4 ? 10.0 * k : 40.0 - 10.0 * (k - 4);
+        const double angle = k <= 4 ? 10.0 * k : 40.0 - 10.0 * (k - 4); // of the joint; the scan's is its 0
         run.frame.push_back(25.0 * k);
-        run.angle_deg.push_back(angle);
+        run.angle_deg.push_back(angle - sweep_turn(MotionKind::adduction).rest_deg);
         // On the way to where the sweep begins nothing counts.
         const double arm = k <= 4 ? 1000 : angle / 2;
         run.fibres.moment_arm_mm.insert(run.fibres.moment_arm_mm.end(), {arm - 1, arm + 1});
@@ -213,7 +214,8 @@ TEST_CASE("reproduce: arms of adduction are held against the published ranges", 
     result.runs.push_back(row);
     const WayOut poses = arm_poses(*result.experiment, run);
     REQUIRE(poses.places.size() == 8);
-    CHECK((poses.flexion_deg.front() == -40 && poses.flexion_deg.back() == 30));
+    CHECK(poses.flexion_deg.front() == Approx(-40));
+    CHECK(poses.flexion_deg.back() == Approx(30));
     CHECK((poses.places.front() == 12 && poses.places.back() == 5));
 
     measure_arms(result);
