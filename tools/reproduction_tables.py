@@ -24,10 +24,17 @@ def number(value, digits=3):
     if value == 0:
         return "0"
     if abs(value) < 1e-4:
-        return "under 0.0001" if value > 0 else "over -0.0001"
+        return "<0.0001" if value > 0 else ">-0.0001"
     decimals = max(0, min(6, digits - 1 - math.floor(math.log10(abs(value)))))
     text = f"{value:.{decimals}f}"
     return text.rstrip("0").rstrip(".") if "." in text else text
+
+
+def move(value):
+    """How far a number moved: with its sign, unless that is rounding."""
+    if value is None or value == 0:
+        return ""
+    return f" ({number(abs(value)) if abs(value) < 1e-4 else ('+' if value > 0 else '') + number(value, 2)})"
 
 
 def table(head, rows):
@@ -78,10 +85,35 @@ def distances_table(results):
     return table(["experiment", "method", "mean, mm", "greatest, mm"], rows)
 
 
+def is_sweep(experiment):
+    return experiment.get("motion") in ("hip adduction", "internal rotation")
+
+
+def span(values):
+    return [number(values["least"]), number(values["mean"]), number(values["greatest"])]
+
+
+def ranges_table(results):
+    """Beside Modenese & Kohout 2020, Table 2: over poses and fibres."""
+    rows, models = [], []
+    for experiment in results["experiments"]:
+        shares = [share for share in experiment.get("moment_arms", []) if share.get("published_ranges")]
+        for share in shares:
+            models = [row["model"] for row in share["published_ranges"]]
+            rows.append([experiment["key"], experiment["motion"], share["who"]] + span(share["poses_and_fibres_mm"]) +
+                        [number(row["poses_inside_percent"]) for row in share["published_ranges"]])
+        if shares and not experiment["key"].endswith("-chmd"):
+            rows += [[experiment["key"], experiment["motion"], f"published: {row['model']}"] + span(row["arm_mm"]) + [DASH] * len(models)
+                     for row in shares[0]["published_ranges"]]
+    if not rows:
+        return "None: no real data."
+    return table(["experiment", "motion", "who", "least, mm", "mean, mm", "greatest, mm"] + [f"in {m}, %" for m in models], rows)
+
+
 def arms_table(results):
     rows = [[experiment["key"], share["who"], number(share["poses_inside_percent"]), number(share["fibres_inside_percent"]),
              number(share["arm_mm"]["least"]), number(share["arm_mm"]["mean"]), number(share["arm_mm"]["greatest"])]
-            for experiment in results["experiments"] for share in experiment.get("moment_arms", [])]
+            for experiment in results["experiments"] if not is_sweep(experiment) for share in experiment.get("moment_arms", [])]
     return table(["experiment", "who", "poses inside, %", "poses and fibres inside, %", "least mean arm, mm", "mean, mm",
                   "greatest, mm"], rows)
 
@@ -99,7 +131,7 @@ def sensitivity_table(results):
             continue
         for x, y in zip(v["values"], base[v["held_against"]]["values"]):
             moved = None if x is None or y is None else x - y
-            cells.append(number(x, 5) + ("" if not moved else f" ({'+' if moved > 0 else ''}{number(moved, 2)})"))
+            cells.append(number(x, 5) + move(moved))
         rows.append(cells)
     return table(["variant", "held against", "triangles", "passes"] + s["quantities"], rows)
 
@@ -114,12 +146,17 @@ def dependences_table(results):
 
 
 def speed_table(timings):
-    rows = [[r["object"], r["method"], str(r["triangles"]), str(r["threads"]), str(r["passes"]), number(r["frames_per_second"])]
-            for r in timings["speed"]]
-    text = table(["object", "method", "triangles", "threads", "passes", "frames/s"], rows)
+    published = {row["triangles"]: [number(row["paper_frames_per_second"], 4), number(row["public_program_frames_per_second"])]
+                 for row in timings.get("published_speed", [])}
+    rows = [[r["object"], r["method"], str(r["triangles"]), str(r["threads"]), str(r["passes"]), number(r["frames_per_second"])] +
+            published.get(r["triangles"], [DASH, DASH]) for r in timings["speed"]]
+    measured = {r["triangles"] for r in timings["speed"]}
+    rows += [[f"{row['object']} (not here)", DASH, str(row["triangles"]), DASH, DASH, DASH] + published[row["triangles"]]
+             for row in timings.get("published_speed", []) if row["triangles"] not in measured]
+    text = table(["object", "method", "triangles", "threads", "passes", "frames/s", "paper", "public program"], rows)
     parts = [f"{c['method']} on {c['threads']} {'thread' if c['threads'] == 1 else 'threads'} {number(c['rho'])} ({c['objects']} objects)"
              for c in timings["rank_correlation"]]
-    return text + "\n\nRank correlation of frames a second with triangles: " + "; ".join(parts) + "."
+    return text + "\n\nRank correlation (Spearman) of frames a second with triangles, -1 for the paper's five objects: " + "; ".join(parts) + "."
 
 
 def main():
@@ -134,7 +171,7 @@ def main():
         print(f"reproduction_tables: {options.folder} is a short form, no figures to keep", file=sys.stderr)
         return 1
     tables = {"methods": methods_table(results), "findings": findings_table(results), "distances": distances_table(results),
-              "arms": arms_table(results), "sensitivity": sensitivity_table(results),
+              "arms": arms_table(results), "ranges": ranges_table(results), "sensitivity": sensitivity_table(results),
               "dependences": dependences_table(results), "speed": speed_table(timings)}
     before = options.doc.read_text(encoding="utf-8")
     text = before

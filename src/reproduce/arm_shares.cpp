@@ -1,7 +1,9 @@
 #include "reproduce/arm_shares.hpp"
 
 #include "reproduce/published.hpp"
+#include "reproduce/sweep.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -44,14 +46,36 @@ WayOut way_out(const RunData& run) {
     return result;
 }
 
-std::vector<double> mean_arms(const LineNumbers& lines, const WayOut& poses) {
-    std::vector<double> means;
+WayOut arm_poses(const Experiment& experiment, const RunData& run) {
+    if (!is_sweep(experiment.motion))
+        return way_out(run);
+    WayOut result;
+    const auto begin = run.angle_deg.begin();
+    const auto most = std::max_element(begin, run.angle_deg.end());
+    const auto least = std::min_element(most, run.angle_deg.end());
+    // The frame of the turn itself has the arms of the way there (excursion_arms).
+    for (auto at = least; at > most; --at) {
+        result.flexion_deg.push_back(*at + sweep_turn(experiment.motion).rest_deg);
+        result.places.push_back(static_cast<std::size_t>(at - begin));
+    }
+    return result;
+}
+
+std::vector<Span3> arm_spans(const LineNumbers& lines, const WayOut& poses) {
+    std::vector<Span3> spans;
     for (const std::size_t k : poses.places) {
         std::vector<double> arms;
         for (std::size_t f = 0; f < lines.count(); ++f)
             arms.push_back(lines.arm(k, f));
-        means.push_back(span_of(arms).mean);
+        spans.push_back(span_of(arms));
     }
+    return spans;
+}
+
+std::vector<double> mean_arms(const LineNumbers& lines, const WayOut& poses) {
+    std::vector<double> means;
+    for (const Span3& span : arm_spans(lines, poses))
+        means.push_back(span.mean);
     return means;
 }
 
@@ -66,14 +90,26 @@ std::vector<std::size_t> lines_of(const std::string& muscle, const LineNumbers& 
 }
 
 void measure_arms(ExperimentResult& result) {
+    const Experiment& e = *result.experiment;
     // Bounds of the real muscle say nothing about a stand-in.
     const std::vector<BandPoint> band =
-        result.real ? arm_band(result.experiment->muscle) : std::vector<BandPoint>();
+        result.real && !is_sweep(e.motion) ? arm_band(e.muscle) : std::vector<BandPoint>();
+    /// means: over the fibres, in each pose; all: of every fibre.
+    const auto table = [&](const std::vector<double>& means, const std::vector<double>& all) {
+        std::vector<TableShare> shares;
+        for (const PublishedArm& row : published_arms())
+            if (result.real && row.motion == e.motion && e.muscle == row.muscle)
+                shares.push_back({row.model,
+                                  {row.least, row.mean, row.greatest},
+                                  percent_between(means, row.least, row.greatest),
+                                  percent_between(all, row.least, row.greatest)});
+        return shares;
+    };
     bool with_lines = false;
     for (const MethodRun& row : result.runs) {
         if (!row.done())
             continue;
-        const WayOut poses = way_out(row.run);
+        const WayOut poses = arm_poses(e, row.run);
         if (poses.places.empty())
             continue;
         if (row.run.fibres.count() > 0) {
@@ -85,15 +121,17 @@ void measure_arms(ExperimentResult& result) {
                 arms.insert(arms.end(), one.begin(), one.end());
             }
             result.arms.push_back({row.method, percent_inside(poses.flexion_deg, means, band),
-                                   percent_inside(angles, arms, band), span_of(means)});
+                                   percent_inside(angles, arms, band), span_of(means), span_of(arms),
+                                   table(means, arms)});
         }
         // Lines follow the bones alone: the same for every method.
         if (!with_lines)
-            for (const std::size_t f : lines_of(result.experiment->muscle, row.run.lines)) {
+            for (const std::size_t f : lines_of(e.muscle, row.run.lines)) {
                 const std::vector<double> arms = column(row.run.lines, poses, f);
                 result.arms.push_back({row.run.lines.names[f] + " (line)",
                                        percent_inside(poses.flexion_deg, arms, band),
-                                       std::numeric_limits<double>::quiet_NaN(), span_of(arms)});
+                                       std::numeric_limits<double>::quiet_NaN(), span_of(arms), span_of(arms),
+                                       table(arms, arms)});
                 with_lines = true;
             }
     }

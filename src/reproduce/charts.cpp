@@ -2,13 +2,16 @@
 
 #include "fascicle/solver/soft_body_solver.hpp"
 #include "reproduce/arm_shares.hpp"
+#include "reproduce/findings.hpp"
 #include "reproduce/published.hpp"
+#include "reproduce/sweep.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 namespace fascicle::reproduce {
 
@@ -52,7 +55,7 @@ Chart over_frames(const char* title, const char* unit) {
     chart.title = title;
     chart.unit = unit;
     chart.x_label = "frame";
-    chart.x_range = view::ChartSpan{0, paper_frames};
+    chart.x_range = view::ChartSpan{0, paper_frames + 4}; // the whole of a dot at the end
     return chart;
 }
 
@@ -73,41 +76,31 @@ struct MetricPlot {
     double least_span;
     double PublishedFrame::*mark; ///< null: none
     int group;                    ///< of figures 11 to 19, -1: none
-    const char* about;
     const char* caption;
 };
 
 const MetricPlot metric_plots[] = {
     {"volume_ratio", "Volume ratio", "1", nullptr, nullptr, 1, 1.0, 0.004, &PublishedFrame::volume_ratio, 0,
-     "volume_ratio", "Volume over volume at rest."},
+     "Volume over volume at rest."},
     {"edge_extension_mean", "Edge extension, mean", "1", "edge_extension_p10", "edge_extension_p90", 1, 1.0,
-     0.02, &PublishedFrame::edge_mean, 1, "edge_extension_mean",
+     0.02, &PublishedFrame::edge_mean, 1,
      "Length over rest length of the edges; band from the 10th to the 90th percentile."},
     {"edge_extension_p99", "Edge extension, 99th percentile", "1", nullptr, nullptr, 1, 1.0, 0.02,
-     &PublishedFrame::edge_p99, -1, "", "One edge in a hundred is stretched more than this."},
+     &PublishedFrame::edge_p99, -1, "One edge in a hundred is stretched more than this."},
     {"dihedral_change_mean_rad", "Dihedral change, mean", "deg", "dihedral_change_p10_rad",
      "dihedral_change_p90_rad", 180 / std::numbers::pi, std::nullopt, 0.5, nullptr, 2,
-     "dihedral_change_mean_rad",
      "Change of the signed dihedral angle; band from the 10th to the 90th percentile."},
     {"dihedral_change_unsigned_mean_deg", "Dihedral change, unsigned as in the paper", "deg", nullptr,
-     nullptr, 1, std::nullopt, 0.5, &PublishedFrame::dihedral_deg, -1, "",
+     nullptr, 1, std::nullopt, 0.5, &PublishedFrame::dihedral_deg, 2,
      "Change of the angle without its sign, which folds do not show in."},
     {"penetrating_vertices", "Vertices deeper than 0.1 mm inside bones", "1", nullptr, nullptr, 1,
-     std::nullopt, 1, nullptr, -1, "penetrating_vertices", "Vertices that were not inside at rest."},
+     std::nullopt, 1, nullptr, -1, "Vertices that were not inside at rest."},
 };
-
-std::string figure_of(const Experiment& e, int group) {
-    const int muscle = e.key == "squish-box"        ? 0
-                       : e.key == "iliacus"         ? 1
-                       : e.key == "gluteus_maximus" ? 2
-                                                    : -1;
-    return muscle < 0 || group < 0 ? std::string() : std::to_string(11 + 3 * group + muscle);
-}
 
 std::optional<Plot> metric_plot(const ExperimentResult& result, const MetricPlot& row) {
     Plot plot;
-    plot.figures = figure_of(*result.experiment, row.group);
-    plot.about = row.about;
+    plot.figures = plot_figure(*result.experiment, row.group);
+    plot.about = row.key;
     plot.caption = row.caption;
     plot.chart = over_frames(row.title, row.unit);
     plot.chart.reference = row.reference;
@@ -131,6 +124,10 @@ std::optional<Plot> metric_plot(const ExperimentResult& result, const MetricPlot
     }
     if (!any)
         return std::nullopt;
+    if (std::string(row.key) == "penetrating_vertices") { // a count: nothing below 0
+        const double most = view::chart_y(plot.chart).high;
+        plot.chart.y_range = view::ChartSpan{-0.02 * std::max(1.0, most), std::max(1.0, most)};
+    }
     // Numbers of the real muscles say nothing about stand-ins; the box of the paper is the same made or read.
     const bool comparable = result.real || result.experiment->key == "squish-box";
     if (row.mark != nullptr && comparable) {
@@ -148,12 +145,10 @@ std::optional<Plot> metric_plot(const ExperimentResult& result, const MetricPlot
 /// Every fibre of one run, and the mean.
 Plot fibre_plot(const ExperimentResult& result, const MethodRun& run) {
     Plot plot;
-    plot.figures = result.experiment->key == "iliacus"                     ? "20"
-                   : result.experiment->key.starts_with("gluteus_maximus") ? "21"
-                                                                           : "";
-    plot.about = run.method == solver_methods().front().name ? "fibre_length_mean_mm" : "";
-    plot.caption = "Length of every fibre (" + std::to_string(run.run.fibres.count()) + ", " +
-                   result.experiment->fibres + ") with " + run.method + "; bold: their mean.";
+    plot.figures = fibre_figure(*result.experiment);
+    plot.about = fibre_lengths_about(run.method);
+    plot.caption = "Length of every fibre (" + std::to_string(run.run.fibres.count()) + ", by " +
+                   fibre_method(*result.experiment) + ") with " + run.method + "; bold: their mean.";
     plot.chart = over_frames(("Fibre lengths, " + run.method).c_str(), "mm");
     const std::size_t frames = run.run.frame.size(), step = std::max<std::size_t>(1, frames / 60);
     const auto add = [&](const std::string& name, const auto& value, double width, float opacity) {
@@ -177,20 +172,50 @@ Plot fibre_plot(const ExperimentResult& result, const MethodRun& run) {
     return plot;
 }
 
-/// Mean arms of all methods over flexion, with what is published.
+/// One scale, so that plots side by side can be compared.
+void share_y(std::span<Plot> plots) {
+    if (plots.empty())
+        return;
+    view::ChartSpan all = view::chart_y(plots.front().chart);
+    for (const Plot& plot : plots) {
+        const view::ChartSpan own = view::chart_y(plot.chart);
+        all = {std::min(all.low, own.low), std::max(all.high, own.high)};
+    }
+    for (Plot& plot : plots)
+        plot.chart.y_range = all;
+}
+
+/// Mean arms of all methods over the angle, with what is published.
 std::optional<Plot> arm_plot(const ExperimentResult& result) {
+    const Experiment& e = *result.experiment;
+    const bool sweeps = is_sweep(e.motion);
     Plot plot;
-    plot.figures = "22";
+    plot.figures = sweeps ? "" : "22";
     plot.about = "moment_arm_mm";
-    plot.caption = "Mean moment arm of the fibres on the way out, about flexion, positive for a flexor.";
+    plot.caption = std::string("Mean moment arm of the fibres ") +
+                   (sweeps ? "on the way from one side to the other" : "on the way out") + ", about " +
+                   to_text(e.motion) +
+                   ", positive for what moves the thigh that way; coloured band: all fibres of " +
+                   solver_methods().front().name + ".";
     plot.chart.title = "Moment arm";
     plot.chart.unit = "mm";
-    plot.chart.x_label = "flexion [deg]";
-    plot.chart.x_range = view::ChartSpan{0, 60};
-    if (const std::vector<BandPoint>& band = arm_band(result.experiment->muscle);
-        result.real && !band.empty()) {
+    plot.chart.x_label = std::string(to_text(e.motion)) + " [deg]";
+    const double high = sweeps ? sweep_turn(e.motion).to_deg : 60, low = sweeps ? -high : 0;
+    const double air = 0.015 * (high - low); // the whole of a dot at either end
+    plot.chart.x_range = view::ChartSpan{low - air, high + air};
+    std::vector<BandPoint> band = arm_band(e.muscle);
+    std::string band_name = "Blemker & Delp 2005, digitised";
+    if (sweeps) {
+        band.clear();
+        for (const PublishedArm& row : published_arms())
+            if (band.empty() && row.motion == e.motion && e.muscle == row.muscle) {
+                band = {{low, row.least, row.greatest}, {high, row.least, row.greatest}};
+                band_name = std::string(row.model) + ", Modenese & Kohout 2020";
+            }
+    }
+    if (result.real && !band.empty()) {
         ChartCurve curve;
-        curve.name = "literature, digitised";
+        curve.name = band_name;
         curve.colour = rgb(band_colour);
         curve.width = 0;
         curve.band_opacity = 0.2;
@@ -206,11 +231,11 @@ std::optional<Plot> arm_plot(const ExperimentResult& result) {
     for (const MethodRun& run : result.runs) {
         if (!run.done())
             continue;
-        const WayOut poses = way_out(run.run);
+        const WayOut poses = arm_poses(e, run.run);
         if (poses.places.empty())
             continue;
         if (!with_lines)
-            for (const std::size_t f : lines_of(result.experiment->muscle, run.run.lines)) {
+            for (const std::size_t f : lines_of(e.muscle, run.run.lines)) {
                 ChartCurve curve;
                 curve.name = "line muscles";
                 curve.colour = rgb(mark_colour);
@@ -229,14 +254,20 @@ std::optional<Plot> arm_plot(const ExperimentResult& result) {
         curve.colour = method_colour(run.method);
         curve.width = is_main(run.method) ? 2 : 1.2;
         curve.x = poses.flexion_deg;
-        curve.y = mean_arms(run.run.fibres, poses);
+        for (const Span3& span : arm_spans(run.run.fibres, poses)) {
+            curve.y.push_back(span.mean);
+            if (run.method == solver_methods().front().name) {
+                curve.low.push_back(span.least);
+                curve.high.push_back(span.greatest);
+            }
+        }
         plot.chart.curves.push_back(std::move(curve));
         any = true;
     }
     if (!any)
         return std::nullopt;
     for (const MeasuredArms& measured : measured_arms())
-        if (result.real && result.experiment->muscle == measured.muscle)
+        if (result.real && !sweeps && e.muscle == measured.muscle)
             plot.chart.curves.push_back(
                 dots(measured.source, measured.angle_deg, measured.arm_mm, mark_colour));
     return plot;
@@ -259,12 +290,18 @@ render::Rgba method_colour(const std::string& method) {
 
 std::vector<Plot> experiment_plots(const ExperimentResult& result) {
     std::vector<Plot> plots;
-    for (const MetricPlot& row : metric_plots)
-        if (std::optional<Plot> plot = metric_plot(result, row))
-            plots.push_back(std::move(*plot));
-    for (const MethodRun& run : result.runs)
-        if (run.done() && run.run.fibres.count() > 0 && is_main(run.method))
-            plots.push_back(fibre_plot(result, run));
+    const Experiment& e = *result.experiment;
+    // With other fibres, or another axis, these would show again what the experiment before has shown.
+    if (e.methods != MethodChoice::first)
+        for (const MetricPlot& row : metric_plots)
+            if (std::optional<Plot> plot = metric_plot(result, row))
+                plots.push_back(std::move(*plot));
+    const std::size_t first_of_fibres = plots.size();
+    if (!is_sweep(e.motion))
+        for (const MethodRun& run : result.runs)
+            if (run.done() && run.run.fibres.count() > 0 && is_main(run.method))
+                plots.push_back(fibre_plot(result, run));
+    share_y(std::span(plots).subspan(first_of_fibres));
     if (std::optional<Plot> plot = arm_plot(result))
         plots.push_back(std::move(*plot));
     return plots;
@@ -276,7 +313,7 @@ std::vector<Plot> speed_plots(const SpeedResult& speed) {
     Plot plot;
     plot.about = "speed";
     plot.caption =
-        "Frames a second of solving alone; black: the paper's table (another machine, one thread).";
+        "Table 1: frames a second of solving alone; black: the paper's (another machine, one thread).";
     plot.chart.title = "Speed";
     plot.chart.unit = "frames/s";
     plot.chart.x_label = "triangles";
@@ -303,6 +340,9 @@ std::vector<Plot> speed_plots(const SpeedResult& speed) {
         y.push_back(row.frames_per_second);
     }
     plot.chart.curves.push_back(dots("paper", x, y, mark_colour));
+    const view::ChartSpan shown = view::chart_x(plot.chart), speeds = view::chart_y(plot.chart);
+    plot.chart.x_range = view::ChartSpan{shown.low - 500, shown.high + 500};
+    plot.chart.y_range = view::ChartSpan{0, speeds.high};
     return {plot};
 }
 

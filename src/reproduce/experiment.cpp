@@ -37,6 +37,18 @@ Experiment literal(Experiment e, const char* key, const char* title, const char*
     return e;
 }
 
+/// Moment arms about another axis of the hip, with the program's own method alone.
+Experiment sweep(Experiment e, const char* key, const char* title, MotionKind motion) {
+    e.key = key;
+    e.title = title;
+    e.figures.clear();
+    e.stand_in.clear();
+    e.published.clear();
+    e.motion = motion;
+    e.methods = MethodChoice::first;
+    return e;
+}
+
 std::vector<Experiment> make_rows() {
     std::vector<Experiment> rows;
 
@@ -92,6 +104,13 @@ std::vector<Experiment> make_rows() {
     chmd.stand_in_muscle = "two_heads";
     rows.push_back(chmd);
 
+    rows.push_back(sweep(iliacus, "iliacus-adduction", "Iliacus in hip adduction", MotionKind::adduction));
+    rows.push_back(sweep(iliacus, "iliacus-rotation", "Iliacus in internal rotation", MotionKind::rotation));
+    rows.push_back(sweep(gluteus, "gluteus_maximus-adduction", "Gluteus maximus in hip adduction",
+                         MotionKind::adduction));
+    rows.push_back(sweep(gluteus, "gluteus_maximus-rotation", "Gluteus maximus in internal rotation",
+                         MotionKind::rotation));
+
     rows.push_back(
         literal(iliacus, "iliacus-published", "Iliacus as the published program ran it", "iliacus"));
     rows.push_back(literal(gluteus, "gluteus_maximus-published",
@@ -104,6 +123,20 @@ std::vector<Experiment> make_rows() {
 }
 
 } // namespace
+
+const char* to_text(MotionKind motion) {
+    switch (motion) {
+    case MotionKind::flexion:
+        return "hip flexion";
+    case MotionKind::squeeze:
+        return "squeezing";
+    case MotionKind::adduction:
+        return "hip adduction";
+    case MotionKind::rotation:
+        return "internal rotation";
+    }
+    return "";
+}
 
 const std::vector<Experiment>& experiments() {
     static const std::vector<Experiment> rows = make_rows();

@@ -20,14 +20,21 @@ enum class MethodChoice {
 
 /// How the solids of an experiment move; the paper's 300 frames are 100 there, 100 back, 100 at rest.
 enum class MotionKind {
-    flexion, ///< the moving bone turns about an axis in x by 1 rad forwards (a negative angle)
-    squeeze  ///< the first bone comes down in y by 90 units, to a tenth of the gap
+    flexion,   ///< the moving bone turns about an axis in x by 1 rad forwards (a negative angle)
+    squeeze,   ///< the first bone comes down in y by 90 units, to a tenth of the gap
+    adduction, ///< to 40 degrees of adduction, and on to 40 of abduction
+    rotation   ///< to 30 degrees of internal rotation, and on to 30 of external
 };
+const char* to_text(MotionKind motion); ///< "hip flexion", ...
+/// Through rest to the other side: for moment arms, as Modenese & Kohout 2020 (Table 2) have them. Not in the paper.
+inline bool is_sweep(MotionKind motion) {
+    return motion == MotionKind::adduction || motion == MotionKind::rotation;
+}
 
 struct Experiment {
     std::string key;     ///< in files and on the command line, unique
     std::string title;   ///< a heading
-    std::string figures; ///< of the paper, e.g. "3, 4, 12"
+    std::string figures; ///< of the paper, e.g. "3, 4, 12"; empty: not in it
     std::string muscle;  ///< its name: that of the muscle's file, and of the embedded scene's muscle
     /// Names of the files it needs: muscle, bones that stay, bones that move.
     std::string muscle_file;

@@ -4,15 +4,18 @@
 #include "fascicle/base/error.hpp"
 #include "fascicle/io/load_scene.hpp"
 #include "fascicle/scene/embedded_scenes.hpp"
+#include "reproduce/sweep.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 namespace fascicle::reproduce {
 
 namespace {
 
 const double flexion_deg =
-    -57.295779513082323;    // 1 rad forwards: a negative angle about +x (docs/conventions.md)
+    -57.295779513082323; // 1 rad forwards: a negative angle about +x (docs/conventions.md)
+const double radians = std::numbers::pi / 180;
 const double squeeze = -90; // units in y, of a gap of 100
 
 /// The files of a row, found; `missing` names those that are needed and not there.
@@ -89,12 +92,18 @@ ExperimentScene make_experiment_scene(const Experiment& e, const DataFiles& data
             result.scene = squeezed_scene(found.request, result.notes);
         } else {
             SceneRequest& r = found.request;
-            r.hinge = HingeRequest{e.centre, Vec3::UnitX()};
-            r.angle_deg = flexion_deg;
+            const bool sweeps = is_sweep(e.motion);
+            r.hinge = HingeRequest{e.centre, sweeps ? sweep_turn(e.motion).axis : Vec3::UnitX()};
+            r.angle_deg = sweeps ? sweep_turn(e.motion).to_deg - sweep_turn(e.motion).rest_deg : flexion_deg;
             r.unit = LengthUnit::millimetre;
             r.threads = threads;
             LoadedScene loaded = load_scene(r);
             result.scene = std::move(loaded.scene);
+            if (sweeps) {
+                const SweepTurn turn = sweep_turn(e.motion);
+                result.scene.timeline =
+                    through_rest(result.scene.timeline, radians * (-turn.to_deg - turn.rest_deg));
+            }
             result.notes = std::move(loaded.notes);
         }
     } else if (!e.stand_in.empty()) {

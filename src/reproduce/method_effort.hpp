@@ -1,6 +1,7 @@
 #pragma once
 // How many frames of the paper's 300 a method is given, so that the whole report stays within minutes.
 
+#include "fascicle/base/param_table.hpp"
 #include "reproduce/experiment.hpp"
 
 namespace fascicle::reproduce {
@@ -8,6 +9,9 @@ namespace fascicle::reproduce {
 /// Fixed numbers, never measured times: two runs of `reproduce` must give the same numbers on a quiet and on a busy machine. Methods that
 /// the table of method_effort.cpp does not name get all 300. A divisor of 300 with frames at 0, 50, 100, ... of the paper's.
 int frames_of(const std::string& method, bool is_short);
+
+/// Coarser lattices and fewer alternations for the short form, whose numbers mean nothing anyway. `parameters` are already the method's.
+void make_coarse(ParamSet& parameters, const std::string& method);
 
 /// The methods of the registry that run an experiment, among `wanted` (empty: all).
 std::vector<std::string> methods_of(const Experiment& experiment, const std::vector<std::string>& wanted);

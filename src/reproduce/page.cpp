@@ -5,7 +5,9 @@
 #include "output/html_parts.hpp"
 #include "output/report_charts.hpp"
 #include "reproduce/charts.hpp"
+#include "reproduce/findings.hpp"
 #include "reproduce/page_writer.hpp"
+#include "reproduce/words.hpp"
 #include "view/chart_svg.hpp"
 
 #include <algorithm>
@@ -78,7 +80,10 @@ private:
                  page_.badge(Verdict::kept) + " as good to within a tenth, " + page_.badge(Verdict::better) +
                  " less, " + page_.badge(Verdict::worse) + " more of what should be small; " +
                  page_.badge(Verdict::shown) +
-                 " is not judged. In the plots frames are counted as in the paper: 0 to 100 out, to 200 "
+                 " is not judged. Where the published run is repeated literally, <code>classic</code> is "
+                 "compared with "
+                 "the published program\xE2\x80\x99s own numbers; moment arms are compared with published "
+                 "ranges. In the plots frames are counted as in the paper: 0 to 100 out, to 200 "
                  "back, to 300 at "
                  "rest. Methods with fewer frames go the same way in larger steps.</p>\n";
     }
@@ -101,13 +106,15 @@ private:
     void experiment(const ExperimentResult& result) {
         const Experiment& e = *result.experiment;
         html_ += "<h2>" + xml_escaped(e.title) + (result.real ? "" : " (stand-in)") +
-                 "</h2>\n<p class=\"dim\">Figures " + xml_escaped(e.figures) + " of the paper.";
+                 "</h2>\n<p class=\"dim\">" +
+                 (e.figures.empty() ? std::string("Not in the paper; after Modenese &amp; Kohout 2020.")
+                                    : told_figures(e.figures) + " of the paper.");
         for (const std::string& note : result.notes)
             if (note.starts_with("not in the data"))
                 html_ += " " + xml_escaped(note) + ".";
         html_ += "</p>\n";
-        page_.sentence(result, "displacement_mean_mm");
-        page_.sentence(result, "fibre_rest_length");
+        page_.sentence(result.findings, "displacement_mean_mm");
+        page_.sentence(result.findings, "fibre_rest_length");
         std::vector<Picture> others;
         for (const MethodRun& run : result.runs) {
             if (!run.done()) {
@@ -125,15 +132,20 @@ private:
             page_.pictures(run.pictures, e.key + " with " + run.method);
         }
         if (!others.empty())
-            html_ += "<h3>Flexed, or squeezed, and at the end</h3>\n";
+            html_ += std::string("<h3>") + (e.motion == MotionKind::squeeze ? "Squeezed" : "Flexed") +
+                     " and at the end</h3>\n";
         page_.pictures(others, e.key);
         for (const MethodRun& run : result.runs) {
             if (!run.fibre_pictures.empty())
-                html_ += "<h3>Fibres by " + xml_escaped(e.fibres) + "</h3>\n";
+                html_ += "<h3>Fibres by " + xml_escaped(fibre_method(e)) + "</h3>\n";
             page_.pictures(run.fibre_pictures, e.key + ", fibres");
+            if (!run.line_pictures.empty())
+                html_ += "<h3>Line segments of the model, in blue</h3>\n<p><b>Fig. 22</b> The lines have via "
+                         "points and wrap over surfaces of their own; their moment arms are below.</p>\n";
+            page_.pictures(run.line_pictures, e.key + ", line segments");
         }
         numbers(result);
-        page_.plots(experiment_plots(result), &result);
+        page_.plots(experiment_plots(result), result.findings);
     }
 
     void numbers(const ExperimentResult& result) {
@@ -167,8 +179,11 @@ private:
         for (const ExperimentResult& result : results_.experiments)
             if (!result.missing.empty())
                 rows += "<li>" +
-                        xml_escaped(result.experiment->title + " (figures " + result.experiment->figures +
-                                    "): " + result.missing) +
+                        xml_escaped(result.experiment->title +
+                                    (result.experiment->figures.empty()
+                                         ? ""
+                                         : " (" + told_figures(result.experiment->figures) + ")") +
+                                    ": " + result.missing) +
                         "</li>\n";
         if (!rows.empty())
             html_ += "<h2>Left out</h2>\n<ul>\n" + rows + "</ul>\n";

@@ -16,10 +16,10 @@ public:
     void end_table() { html += "</table></div>\n"; }
     /// who: of the pictures, for readers who do not see them.
     void pictures(const std::vector<Picture>& list, const std::string& who);
-    /// result: where the sentences of the plots are; null: they have none.
-    void plots(const std::vector<Plot>& list, const ExperimentResult* result);
+    /// findings: where the sentences of the plots are.
+    void plots(const std::vector<Plot>& list, const std::vector<Finding>& findings);
     /// The sentence about a quantity, where there is one.
-    void sentence(const ExperimentResult& result, const std::string& about);
+    void sentence(const std::vector<Finding>& findings, const std::string& about);
 
     static std::string badge(Verdict verdict);
     /// A number, a dash for what is not known.

@@ -48,11 +48,11 @@ const std::vector<PublishedFrame>& published_marks(const std::string& key) {
 }
 
 const std::vector<PublishedSpeed>& published_speeds() {
-    static const std::vector<PublishedSpeed> rows{{"gluteus maximus", 19752, 33.85},
-                                                  {"adductor brevis", 17124, 35.89},
-                                                  {"iliacus", 13858, 47.21},
-                                                  {"gluteus medius", 10622, 57.12},
-                                                  {"box", 5292, 153.61}};
+    static const std::vector<PublishedSpeed> rows{{"gluteus maximus", 19752, 33.85, 52},
+                                                  {"adductor brevis", 17124, 35.89, 56},
+                                                  {"iliacus", 13858, 47.21, 74},
+                                                  {"gluteus medius", 10622, 57.12, 84},
+                                                  {"box", 5292, 153.61, 219}};
     return rows;
 }
 
@@ -69,16 +69,35 @@ const std::vector<BandPoint>& arm_band(const std::string& muscle) {
 }
 
 const std::vector<PublishedArm>& published_arms() {
+    using M = MotionKind;
     static const std::vector<PublishedArm> rows{
-        {"iliacus", "100 fibres", 13, 46, 30},
-        {"iliacus", "lines", 26, 33, 31},
-        {"iliacus", "Blemker & Delp 2005", 19, 51, 30},
-        {"gluteus_maximus", "100 fibres", -92, -19, -57},
-        {"gluteus_maximus", "lines", -77, -29, -55},
-        {"gluteus_maximus", "Blemker & Delp 2005", -72, -9, -42},
-        {"gluteus_medius", "100 fibres", -35, 15, -15},
-        {"gluteus_medius", "lines", -19, 4, -13},
-        {"gluteus_medius", "Blemker & Delp 2005", -17, 21, 0},
+        {M::flexion, "iliacus", "100 fibres", 13, 46, 30},
+        {M::flexion, "iliacus", "lines", 26, 33, 31},
+        {M::flexion, "iliacus", "Blemker & Delp 2005", 19, 51, 30},
+        {M::flexion, "gluteus_maximus", "100 fibres", -92, -19, -57},
+        {M::flexion, "gluteus_maximus", "lines", -77, -29, -55},
+        {M::flexion, "gluteus_maximus", "Blemker & Delp 2005", -72, -9, -42},
+        {M::flexion, "gluteus_medius", "100 fibres", -35, 15, -15},
+        {M::flexion, "gluteus_medius", "lines", -19, 4, -13},
+        {M::flexion, "gluteus_medius", "Blemker & Delp 2005", -17, 21, 0},
+        {M::adduction, "iliacus", "100 fibres", -10, 16, 2},
+        {M::adduction, "iliacus", "lines", -6, 3, -2},
+        {M::adduction, "iliacus", "Blemker & Delp 2005", -15, 15, 0},
+        {M::adduction, "gluteus_maximus", "100 fibres", -68, 54, -6},
+        {M::adduction, "gluteus_maximus", "lines", -35, 64, 8},
+        {M::adduction, "gluteus_maximus", "Blemker & Delp 2005", -61, 71, 8},
+        {M::adduction, "gluteus_medius", "100 fibres", -75, -4, -51},
+        {M::adduction, "gluteus_medius", "lines", -59, -16, -45},
+        {M::adduction, "gluteus_medius", "Blemker & Delp 2005", -54, 6, -31},
+        {M::rotation, "iliacus", "100 fibres", -2, 9, 3},
+        {M::rotation, "iliacus", "lines", 1, 2, 2},
+        {M::rotation, "iliacus", "Blemker & Delp 2005", -1, 9, 5},
+        {M::rotation, "gluteus_maximus", "100 fibres", -39, 0, -23},
+        {M::rotation, "gluteus_maximus", "lines", -41, 1, -28},
+        {M::rotation, "gluteus_maximus", "Blemker & Delp 2005", -42, -1, -22},
+        {M::rotation, "gluteus_medius", "100 fibres", -35, 31, -4},
+        {M::rotation, "gluteus_medius", "lines", -30, 17, -11},
+        {M::rotation, "gluteus_medius", "Blemker & Delp 2005", -27, 22, -4},
     };
     return rows;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // Numbers that others published, which curves are held against. Sources: ../shared/methods.md 8, as named at each.
 
+#include "reproduce/experiment.hpp"
 #include "reproduce/statistics.hpp"
 
 #include <string>
@@ -18,11 +19,11 @@ struct PublishedFrame {
 /// Empty for an unknown key.
 const std::vector<PublishedFrame>& published_marks(const std::string& key);
 
-/// Frames a second of the paper's table (methods.md 8.1, i7-4930K, one thread).
+/// Frames a second (methods.md 8.1): of the paper's table (i7-4930K, one thread), and of the public program on a 2-core Xeon, one thread.
 struct PublishedSpeed {
     const char* object;
     int triangles;
-    double frames_per_second;
+    double frames_per_second, program_frames_per_second;
 };
 const std::vector<PublishedSpeed>& published_speeds();
 
@@ -30,9 +31,10 @@ const std::vector<PublishedSpeed>& published_speeds();
 /// Empty for a muscle without.
 const std::vector<BandPoint>& arm_band(const std::string& muscle);
 
-/// A published model's least, greatest and mean arm over -10 to 60 degrees of flexion, mm (methods.md 8.4, Modenese & Kohout 2020,
-/// Table 2).
+/// A published model's least, greatest and mean arm, over fibres and poses, mm: over -10 to 60 degrees of flexion, -40 to 40 of adduction,
+/// -30 to 30 of internal rotation, positive for what moves the thigh in this direction (methods.md 8.4, Modenese & Kohout 2020, Table 2).
 struct PublishedArm {
+    MotionKind motion;
     const char* muscle;
     const char* model;
     double least, greatest, mean;

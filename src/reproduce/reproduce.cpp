@@ -63,17 +63,19 @@ double work_of(const Planned& plan, const std::string& method, bool is_short) {
 }
 
 /// Scene of a method, in as many frames as it is given.
-ScenePtr scene_for(const Scene& base, const std::string& method, int frames) {
+ScenePtr scene_for(const Scene& base, const std::string& method, bool is_short) {
     auto scene = std::make_shared<Scene>(base);
     set_method(scene->parameters, method);
-    scene->timeline = in_frames(scene->timeline, frames);
+    if (is_short)
+        make_coarse(scene->parameters, method);
+    scene->timeline = in_frames(scene->timeline, frames_of(method, is_short));
     return scene;
 }
 
 void run_method(const Planned& plan, MethodRun& row, const ReproduceOptions& options, const WorkFolder& work,
                 const JobControl& control) {
     const int frames = frames_of(row.method, options.is_short);
-    RunRequest request{scene_for(plan.scene.scene, row.method, frames), plan.scene.notes,
+    RunRequest request{scene_for(plan.scene.scene, row.method, options.is_short), plan.scene.notes,
                        std::max(1, frames / 6)};
     try {
         const WorkFolder::Made made = work.ensure(request, control);
@@ -87,7 +89,8 @@ void run_method(const Planned& plan, MethodRun& row, const ReproduceOptions& opt
     const int flexed = static_cast<int>(row.run.flexed());
     row.flexed = reader.read_frame(flexed)->muscle_positions.front();
     if (options.pictures)
-        draw_pictures(*reader.read_recording(), *plan.result->experiment, row, options.is_short);
+        draw_pictures(*reader.read_recording(), plan.scene.scene.line_muscles, *plan.result->experiment, row,
+                      options.is_short);
 }
 
 void measure_distances(ExperimentResult& result, const Scene& scene) {
@@ -138,10 +141,8 @@ Results reproduce(const ReproduceOptions& options, const JobControl& control) {
     const double begin = seconds_now();
     Results results;
     results.is_short = options.is_short;
-    const DataFiles data = options.data.empty() || options.is_short ? DataFiles() : DataFiles(options.data);
-    results.data = options.is_short       ? "short form: embedded scenes, few frames"
-                   : options.data.empty() ? "no data: embedded scenes stand in"
-                                          : "public data";
+    const DataFiles data = options.data.empty() ? DataFiles() : DataFiles(options.data);
+    results.data = options.data.empty() ? "no data: embedded scenes stand in" : "public data";
     for (const SolverMethod& method : solver_methods())
         if (among(options.methods, method.name))
             results.methods.push_back(method.name);

@@ -12,7 +12,7 @@ struct ReproduceOptions {
     std::vector<std::string> only;    ///< keys of experiments; empty: all
     std::vector<std::string> methods; ///< of solver_methods(); empty: all
     int threads = 1;                  ///< change no number
-    bool is_short = false; ///< embedded scenes, few frames, no parameters' effects: shows that all works
+    bool is_short = false; ///< few frames, coarse lattices, no parameters' effects: shows that all works
     bool pictures = true;
 };
 

@@ -44,17 +44,28 @@ struct MethodRun {
     bool reused = false;
     std::vector<Picture> pictures;       ///< at frames of the paper
     std::vector<Picture> fibre_pictures; ///< where there are fibres
+    std::vector<Picture> line_pictures;  ///< of the program's own run, where there is a model of lines
     PointsPtr flexed;                    ///< surface at the end of the way out
     std::optional<SurfaceDistance> to_reference;
     bool done() const { return failure.empty(); }
 };
 
-/// A method's moment arms against a published band.
+/// Moment arms against the range of a published model over the same motion.
+struct TableShare {
+    std::string model;
+    Span3 arm_mm;             ///< the published range
+    double poses_percent = 0; ///< of poses with the mean arm inside
+    double arms_percent = 0;  ///< of poses and fibres; of poses for a line
+};
+
+/// A method's moment arms against published bands.
 struct ArmShare {
     std::string who;                  ///< a method, or a line muscle
     double inside_percent = 0;        ///< of poses with the mean arm inside; NaN: no band
     double fibres_inside_percent = 0; ///< of poses and fibres; NaN for a line
-    Span3 arm_mm;                     ///< over the poses of the way out
+    Span3 arm_mm;                     ///< of the mean over the fibres, over the poses
+    Span3 all_mm;                     ///< over poses and fibres, as the published ranges are
+    std::vector<TableShare> table;    ///< real data alone
 };
 
 struct ExperimentResult {

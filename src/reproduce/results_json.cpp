@@ -71,16 +71,26 @@ Json experiment_json(const ExperimentResult& result) {
     }
     json["data"] = result.real ? "public data" : "embedded scene " + e.stand_in;
     json["notes"] = result.notes;
+    json["motion"] = to_text(e.motion);
     json["reference"] = result.reference.empty() ? Json(nullptr) : Json(result.reference);
     json["runs"] = Json::array();
     for (const MethodRun& row : result.runs)
         json["runs"].push_back(run_json(row));
     json["moment_arms"] = Json::array();
-    for (const ArmShare& share : result.arms)
+    for (const ArmShare& share : result.arms) {
+        Json table = Json::array();
+        for (const TableShare& row : share.table)
+            table.push_back({{"model", row.model},
+                             {"arm_mm", span_json(row.arm_mm)},
+                             {"poses_inside_percent", number(row.poses_percent)},
+                             {"fibres_inside_percent", number(row.arms_percent)}});
         json["moment_arms"].push_back({{"who", share.who},
                                        {"poses_inside_percent", number(share.inside_percent)},
                                        {"fibres_inside_percent", number(share.fibres_inside_percent)},
-                                       {"arm_mm", span_json(share.arm_mm)}});
+                                       {"arm_mm", span_json(share.arm_mm)},
+                                       {"poses_and_fibres_mm", span_json(share.all_mm)},
+                                       {"published_ranges", table}});
+    }
     json["published_program"] = Json::array();
     for (const PublishedFrame& mark : published_marks(e.published))
         json["published_program"].push_back({{"frame", mark.frame},
@@ -172,6 +182,13 @@ std::string timings_json(const Results& results) {
                                  {"threads", row.threads},
                                  {"passes", row.passes},
                                  {"frames_per_second", row.frames_per_second}});
+    json["published_speed"] = Json::array();
+    for (const PublishedSpeed& row : published_speeds())
+        json["published_speed"].push_back(
+            {{"object", row.object},
+             {"triangles", row.triangles},
+             {"paper_frames_per_second", row.frames_per_second},
+             {"public_program_frames_per_second", row.program_frames_per_second}});
     json["rank_correlation"] = Json::array();
     for (const SpeedResult::Correlation& c : results.speed.correlations)
         json["rank_correlation"].push_back(

@@ -101,22 +101,45 @@ void write_fibre_lengths(const Results& results, const fs::path& folder) {
     });
 }
 
+/// A row per method or line; and one per published range beside it.
 void write_arms(const Results& results, const fs::path& folder) {
     Table table(folder / "moment_arms.csv",
-                {"experiment", "who", "poses_inside_percent", "fibres_inside_percent", "arm_least_mm",
+                {"experiment", "motion", "who", "poses_inside_percent", "fibres_inside_percent",
+                 "mean_arm_least_mm", "mean_arm_mean_mm", "mean_arm_greatest_mm", "arm_least_mm",
                  "arm_mean_mm", "arm_greatest_mm"});
+    Table ranges(folder / "moment_arm_ranges.csv",
+                 {"experiment", "motion", "who", "published_model", "published_least_mm", "published_mean_mm",
+                  "published_greatest_mm", "poses_inside_percent", "fibres_inside_percent"});
     for (const ExperimentResult& result : results.experiments)
-        for (const ArmShare& share : result.arms)
+        for (const ArmShare& share : result.arms) {
             table.row()
                 .text(result.experiment->key)
+                .text(to_text(result.experiment->motion))
                 .text(share.who)
                 .number(share.inside_percent)
                 .number(share.fibres_inside_percent)
                 .number(share.arm_mm.least)
                 .number(share.arm_mm.mean)
                 .number(share.arm_mm.greatest)
+                .number(share.all_mm.least)
+                .number(share.all_mm.mean)
+                .number(share.all_mm.greatest)
                 .end_row();
+            for (const TableShare& row : share.table)
+                ranges.row()
+                    .text(result.experiment->key)
+                    .text(to_text(result.experiment->motion))
+                    .text(share.who)
+                    .text(row.model)
+                    .number(row.arm_mm.least)
+                    .number(row.arm_mm.mean)
+                    .number(row.arm_mm.greatest)
+                    .number(row.poses_percent)
+                    .number(row.arms_percent)
+                    .end_row();
+        }
     table.commit();
+    ranges.commit();
 }
 
 void write_distances(const Results& results, const fs::path& folder) {
@@ -208,9 +231,11 @@ void write_speed(const SpeedResult& speed, const fs::path& folder) {
 } // namespace
 
 bool is_report_file(const std::string& name) {
-    static const std::set<std::string> names{
-        "report.html",           "results.json",          "timings.json",    "curves.csv", "moment_arms.csv",
-        "surface_distances.csv", "published_program.csv", "sensitivity.csv", "speed.csv"};
+    static const std::set<std::string> names{"report.html",           "results.json",
+                                             "timings.json",          "curves.csv",
+                                             "moment_arms.csv",       "moment_arm_ranges.csv",
+                                             "surface_distances.csv", "published_program.csv",
+                                             "sensitivity.csv",       "speed.csv"};
     return names.contains(name) || (name.starts_with("fibre_lengths-") && name.ends_with(".csv"));
 }
 

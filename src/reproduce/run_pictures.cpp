@@ -1,6 +1,8 @@
 #include "reproduce/run_pictures.hpp"
 
 #include "fascicle/solver/soft_body_solver.hpp"
+#include "reproduce/sweep.hpp"
+#include "reproduce/words.hpp"
 #include "view/build_draw_list.hpp"
 #include "view/render_picture.hpp"
 
@@ -50,7 +52,7 @@ public:
         for (const Vec3& p : *recording.frame(0)->muscle_positions.front())
             if (p.allFinite())
                 shown.add(p);
-        const Vec3 border = (experiment.motion == MotionKind::squeeze ? 1.1 : 0.3) * (shown.max - shown.min);
+        const Vec3 border = (experiment.motion == MotionKind::squeeze ? 1.3 : 0.12) * (shown.max - shown.min);
         shown.add(shown.max + border);
         shown.add(shown.min - border);
         const double aspect = double(picture_width) / picture_height;
@@ -64,15 +66,28 @@ public:
         view_.occlusion = false;
     }
 
+    /// The model's lines in place of the fibres. A run that is read back has none.
+    void show_lines(const std::shared_ptr<const LineMuscles>& lines) {
+        show_fibres();
+        view_.fibres = false;
+        view_.line_muscles = true;
+        auto scene = std::make_shared<Scene>(recording_.scene());
+        scene->line_muscles = lines;
+        with_lines_ = std::move(scene);
+    }
+
     render::Image draw(int place) {
         const double aspect = double(picture_width) / picture_height;
-        return renderer_.draw(
-            view::build_draw_list(view::subject_of(recording_, place), view_, camera_.pose(aspect), cache_),
-            picture_width, picture_height);
+        view::ViewSubject subject = view::subject_of(recording_, place);
+        if (with_lines_ != nullptr)
+            subject.scene = with_lines_;
+        return renderer_.draw(view::build_draw_list(subject, view_, camera_.pose(aspect), cache_),
+                              picture_width, picture_height);
     }
 
 private:
     const Recording& recording_;
+    ScenePtr with_lines_; ///< null: drawn as recorded
     view::ViewOptions view_;
     view::Camera camera_;
     view::DrawCache cache_;
@@ -81,21 +96,35 @@ private:
 
 } // namespace
 
-void draw_pictures(const Recording& recording, const Experiment& experiment, MethodRun& row, bool is_short) {
+void draw_pictures(const Recording& recording, const std::shared_ptr<const LineMuscles>& lines,
+                   const Experiment& experiment, MethodRun& row, bool is_short) {
     const bool own = row.method == solver_methods().front().name;
     std::vector<int> frames{100, 300};
-    if (!is_short && (own || row.method == "classic"))
+    if (is_sweep(experiment.motion))
+        frames = {0, 100, 300}; // at rest, and on either side
+    else if (!is_short && (own || row.method == "classic"))
         frames = {0, 50, 100, 150, 200, 300};
     Painter painter(recording, experiment);
+    const auto caption = [&](int frame) {
+        if (!is_sweep(experiment.motion))
+            return "frame " + std::to_string(frame);
+        const double angle =
+            row.run.angle_deg.at(row.run.index_at(frame)) + sweep_turn(experiment.motion).rest_deg;
+        return told_number(angle) + "\xC2\xB0 of " + to_text(experiment.motion);
+    };
     const auto draw = [&](const std::vector<int>& wanted, std::vector<Picture>& into) {
         for (const int frame : wanted)
             if (const auto place = place_of(recording, frame, row.run.last_frame))
-                into.push_back({"frame " + std::to_string(frame), painter.draw(*place)});
+                into.push_back({caption(frame), painter.draw(*place)});
     };
     draw(frames, row.pictures);
-    if (own && row.run.fibres.count() > 0) {
+    if (own && !is_sweep(experiment.motion) && row.run.fibres.count() > 0) {
         painter.show_fibres();
         draw({0, 100}, row.fibre_pictures);
+        if (lines != nullptr && experiment.methods == MethodChoice::all) {
+            painter.show_lines(lines);
+            draw({0, 100}, row.line_pictures);
+        }
     }
 }
 

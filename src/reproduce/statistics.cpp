@@ -111,4 +111,14 @@ double percent_inside(std::span<const double> x, std::span<const double> y, std:
     return all == 0 ? none : 100.0 * static_cast<double>(inside) / static_cast<double>(all);
 }
 
+double percent_between(std::span<const double> values, double low, double high) {
+    std::size_t inside = 0, finite = 0;
+    for (const double v : values)
+        if (std::isfinite(v)) {
+            ++finite;
+            inside += v >= low && v <= high ? 1 : 0;
+        }
+    return finite > 0 ? 100 * static_cast<double>(inside) / static_cast<double>(finite) : none;
+}
+
 } // namespace fascicle::reproduce

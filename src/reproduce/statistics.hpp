@@ -35,5 +35,7 @@ struct BandPoint {
 /// Percent of places x at which low <= y <= high, the band linear between its points (ascending x). Places outside of the band's range,
 /// or where y is not finite, do not count; NaN when none counts.
 double percent_inside(std::span<const double> x, std::span<const double> y, std::span<const BandPoint> band);
+/// Percent of the finite values with low <= value <= high; NaN when none is finite.
+double percent_between(std::span<const double> values, double low, double high);
 
 } // namespace fascicle::reproduce

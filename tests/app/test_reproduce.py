@@ -1,50 +1,57 @@
-"""fascicle reproduce --short: the whole report twice, the same numbers; restart; errors. Never how fast anything is."""
+"""fascicle reproduce --short: the same numbers twice; restart; errors. Never how fast anything is. Stand-ins alone, so that it tells the
+same everywhere; .ci/run makes the whole report."""
 import csv
 import json
 import signal
 import subprocess
+import sys
 import time
 import unittest
-import xml.etree.ElementTree as xml
 
-from program import PROGRAM, TIMEOUT, ProgramTest, file_hashes
+from program import PROGRAM, SOURCE_DIR, TIMEOUT, ProgramTest, file_hashes
+
+sys.path.insert(0, f"{SOURCE_DIR}/tools")
+from check_report import check_folder  # noqa: E402
 
 TIMES = {"report.html", "timings.json", "speed.csv"}  # hold times, or the date
 
 
 class ReproduceTest(ProgramTest):
+    def command(self, out, *options):
+        nothing = self.folder / "no data"
+        nothing.mkdir(exist_ok=True)
+        return ["reproduce", "--short", "--quiet", *options, "--data", str(nothing), "--out", str(self.folder / out)]
+
     def reproduce(self, out, *options):
-        return self.check_done("reproduce", "--short", "--quiet", *options, "--out", self.folder / out)
+        return self.check_done(*self.command(out, *options))
 
     def files(self, out):
         return {name: value for name, value in file_hashes(self.folder / out).items() if not name.startswith("work/")}
 
-    def test_two_runs_give_the_same_numbers_and_a_whole_report(self):
-        self.reproduce("a", "--threads", "1")
-        self.reproduce("b", "--threads", "2")
+    def test_two_runs_give_the_same_numbers_and_a_report_that_passes_the_check(self):
+        # Every method once, and every part of the report; the other experiments would show nothing new.
+        self.reproduce("a", "--threads", "1", "--only", "iliacus,gluteus_medius,sensitivity,speed")
+        self.reproduce("b", "--threads", "2", "--only", "iliacus,gluteus_medius,sensitivity")
         a, b = self.files("a"), self.files("b")
-        self.assertEqual(set(a), set(b))
+        self.assertEqual(set(a), set(b) | {"speed.csv"})
         self.assertLessEqual({"report.html", "results.json", "timings.json", "curves.csv", "moment_arms.csv", "sensitivity.csv",
                               "speed.csv"}, set(a))
         for name in set(a) - TIMES:
             self.assertEqual(a[name], b[name], f"{name} differs between two runs")
+        faults, summary = check_folder(self.folder / "a")
+        self.assertEqual(faults, [])
+        self.assertRegex(summary, r"^1 experiments, \d+ runs, \d+ methods, \d+ plots, \d+ pictures, ")
 
         results = json.loads((self.folder / "a" / "results.json").read_text())
         self.assertTrue(results["short"])
-        self.assertIn("xpbd", results["methods"])
-        self.assertIn("classic", results["methods"])
-        done = {e["key"]: e for e in results["experiments"] if "left_out" not in e}
-        self.assertLessEqual({"squish-box", "iliacus", "gluteus_maximus"}, set(done))
-        for key in ("squish-box", "iliacus", "gluteus_maximus"):
-            self.assertEqual([run["method"] for run in done[key]["runs"]], results["methods"], key)
-            self.assertTrue(done[key]["data"].startswith("embedded scene"))
-            for run in done[key]["runs"]:
-                self.assertNotIn("failed", run)
-                self.assertEqual(run["metrics"]["attachment_drift_mm"]["greatest"] < 1e-6
-                                 if "attachment_drift_mm" in run["metrics"] else True, True, (key, run["method"]))
-            self.assertTrue(done[key]["findings"])
-        left_out = {e["key"]: e["left_out"] for e in results["experiments"] if "left_out" in e}
-        self.assertIn("gluteus_medius.vtk", left_out["gluteus_medius"])
+        self.assertLessEqual({"xpbd", "classic"}, set(results["methods"]))
+        iliacus, medius = results["experiments"]
+        self.assertEqual([run["method"] for run in iliacus["runs"]], results["methods"])
+        self.assertTrue(iliacus["data"].startswith("embedded scene"))
+        for run in iliacus["runs"]:
+            if "attachment_drift_mm" in run["metrics"]:
+                self.assertLess(run["metrics"]["attachment_drift_mm"]["greatest"], 1e-6, run["method"])
+        self.assertIn("gluteus_medius.vtk", medius["left_out"])
         self.assertEqual([v["variant"] for v in results["sensitivity"]["variants"]],
                          ["as given", "remeshed evenly", "half the triangles", "twice the triangles", "half the passes", "twice the passes"])
         given, _, half, twice = results["sensitivity"]["variants"][:4]
@@ -61,12 +68,16 @@ class ReproduceTest(ProgramTest):
             fibres = list(csv.reader(lines))
         self.assertEqual((len(fibres), len(fibres[0])), (14, 102))
 
-        page = (self.folder / "a" / "report.html").read_text()
-        root = xml.fromstring(page.replace("<!DOCTYPE html>", ""))
-        self.assertFalse([e for e in root.iter() if e.tag.endswith("script") or e.get("href")])
-        self.assertGreater(len([e for e in root.iter() if e.tag.endswith("svg")]), 10)
-        self.assertGreater(page.count("data:image/png;base64,"), 10)
-        self.assertNotRegex(page, r"\bnan\b")
+        # The check itself finds what is wrong.
+        page = self.folder / "a" / "report.html"
+        text = page.read_text()
+        for old, new, fault in (("</main>", '<script src="https://example.org/x.js"></script></main>', "refers to 'https"),
+                                ("Fig. 12", "Plot 12", "nothing is said of figures [12]"),
+                                ("<footer>", "<footer>1.5e-07 ", "'5e-0'"),
+                                ('class="verdict', 'class="word', "has no sentence from the data")):
+            self.assertIn(old, text)
+            page.write_text(text.replace(old, new))
+            self.assertIn(fault, " ".join(check_folder(self.folder / "a")[0]))
 
     def test_finished_runs_are_used_again_and_a_damaged_one_is_made_again(self):
         options = ("--only", "squish-box", "--methods", "classic")
@@ -95,8 +106,7 @@ class ReproduceTest(ProgramTest):
 
     def test_an_interrupted_report_goes_on_where_it_was_cut_off(self):
         out = self.folder / "out"
-        command = [PROGRAM, "reproduce", "--short", "--quiet", "--only", "squish-box,iliacus", "--methods", "classic,xpbd",
-                   "--out", str(out)]
+        command = [PROGRAM, *self.command("out", "--only", "iliacus", "--methods", "classic,xpbd")]
         process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.addCleanup(process.stdout.close)
         self.addCleanup(process.stderr.close)

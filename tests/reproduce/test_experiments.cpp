@@ -1,14 +1,18 @@
 #include "fascicle/base/error.hpp"
 #include "fascicle/io/files.hpp"
 #include "fascicle/scene/embedded_scenes.hpp"
+#include "fascicle/solver/parameters.hpp"
 #include "fascicle/solver/soft_body_solver.hpp"
 #include "reproduce/experiment_scene.hpp"
 #include "reproduce/method_effort.hpp"
 #include "reproduce/published.hpp"
 #include "reproduce/reproduce.hpp"
+#include "reproduce/sweep.hpp"
+#include "support/data_dir.hpp"
 #include "support/temp_dir.hpp"
 
 #include <catch2/catch.hpp>
+#include <numbers>
 #include <set>
 
 using namespace fascicle;
@@ -21,7 +25,8 @@ TEST_CASE("reproduce: keys of experiments are unique and stand-ins exist", "[rep
     for (const Experiment& e : experiments()) {
         INFO(e.key);
         CHECK(keys.insert(e.key).second);
-        CHECK_FALSE((e.title.empty() || e.figures.empty() || e.muscle.empty()));
+        CHECK_FALSE((e.title.empty() || e.muscle.empty()));
+        CHECK(e.figures.empty() == is_sweep(e.motion));
         CHECK((e.stand_in.empty() || scenes.contains(e.stand_in)));
         CHECK((e.published.empty() || !published_marks(e.published).empty()));
         CHECK(find_experiment(e.key) == &e);
@@ -56,6 +61,65 @@ TEST_CASE("reproduce: every method of the registry runs every experiment for all
         CHECK(frames_of(method.name, true) % 6 == 0);
     }
     CHECK(frames_of("a method of tomorrow", false) == 300);
+}
+
+TEST_CASE("reproduce: the short form changes parameters of the method alone", "[reproduce][unit]") {
+    for (const SolverMethod& method : solver_methods()) {
+        ParamSet given = default_parameters();
+        set_method(given, method.name);
+        ParamSet coarse = given;
+        make_coarse(coarse, method.name);
+        INFO(method.name);
+        for (const ParamRow& row : given.table().rows())
+            if (coarse.text(row.key) != given.text(row.key))
+                CHECK(row.key.starts_with(method.name + "."));
+    }
+    ParamSet fem = default_parameters();
+    set_method(fem, "fem");
+    const double spacing = fem.get("fem.spacing_mm");
+    make_coarse(fem, "fem");
+    CHECK(fem.get("fem.spacing_mm") > 2 * spacing);
+}
+
+TEST_CASE("reproduce: a motion through rest goes on to the other side", "[reproduce][unit]") {
+    const Hinge hinge{Vec3(1, 2, 3), Vec3::UnitZ()};
+    const Timeline motion = through_rest(make_hinge_timeline(hinge, 0.5, {100, 100, 100}, 2, {1}), -0.4);
+    CHECK(motion.last_frame == 300);
+    const Vec3 p(5, 6, 7);
+    const std::pair<int, double> wanted[] = {{0, 0.0},   {50, 0.25},  {100, 0.5}, {150, 0.25},
+                                             {200, 0.0}, {250, -0.2}, {300, -0.4}};
+    for (const auto& [frame, angle] : wanted) {
+        INFO(frame);
+        CHECK(motion.angle_rad(frame) == Approx(angle).margin(1e-12));
+        const Vec3 turned = Eigen::AngleAxisd(angle, Vec3::UnitZ()) * (p - hinge.centre) + hinge.centre;
+        CHECK((motion.bone_pose(1, frame).apply(p) - turned).norm() < 1e-9);
+        CHECK((motion.bone_pose(0, frame).apply(p) - p).norm() == 0);
+    }
+}
+
+TEST_CASE("reproduce: adduction brings the thigh inwards, internal rotation its front", "[reproduce][data]") {
+    FASCICLE_NEED_DATA(folder);
+    const DataFiles data(folder);
+    const Vec3 centre = find_experiment("iliacus")->centre;
+    // The right thigh: down is -z, forwards -y, inwards (to the left) +x.
+    const auto shift = [&](const char* key, int frame, const Vec3& away) {
+        const Experiment& e = *find_experiment(key);
+        const ExperimentScene made = make_experiment_scene(e, data, 1);
+        REQUIRE(made.real);
+        const Timeline& motion = made.scene.timeline;
+        const double coordinate =
+            motion.angle_rad(frame) * 180 / std::numbers::pi + sweep_turn(e.motion).rest_deg;
+        CHECK(coordinate == Approx((frame == 100 ? 1 : -1) * sweep_turn(e.motion).to_deg));
+        CHECK(motion.hinge->axis.norm() == Approx(1));
+        int bone = 0;
+        while (!motion.moves(bone))
+            ++bone;
+        return motion.bone_pose(bone, frame).apply(centre + 300 * away).x() - centre.x();
+    };
+    CHECK(shift("iliacus-adduction", 100, -Vec3::UnitZ()) > 150);
+    CHECK(shift("iliacus-adduction", 300, -Vec3::UnitZ()) < -150);
+    CHECK(shift("iliacus-rotation", 100, -Vec3::UnitY()) > 100);
+    CHECK(shift("iliacus-rotation", 300, -Vec3::UnitY()) < -100);
 }
 
 TEST_CASE("reproduce: files are found by name in sub-folders, the nearest first", "[reproduce][unit]") {

@@ -156,7 +156,7 @@ std::function<int()> add_reproduce(CLI::App& app) {
     add_whole(app, "--threads", command->threads, 1, most_threads, "N",
               "Threads (default: all); never changes a result");
     app.add_flag("--short", command->work.is_short,
-                 "Embedded scenes, few frames: shows that everything works, no figures to keep");
+                 "Few frames, coarse lattices: shows that everything works, no figures to keep");
     app.add_flag("--quiet", command->quiet, "No progress and no closing lines");
     return [command] { return run(*command); };
 }
