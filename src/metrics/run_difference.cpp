@@ -190,8 +190,8 @@ MetricRows measure_run(const Recording& recording, int threads, const JobControl
 }
 
 bool comparable_metric(const MetricRow& row) {
-    constexpr std::array<std::string_view, 5> of_the_solver{"contacts", "unresolved", "non_finite", "solve_ms",
-                                                            "unconverged"};
+    constexpr std::array<std::string_view, 5> of_the_solver{"contacts", "unresolved", "non_finite",
+                                                            "solve_ms", "unconverged"};
     return std::find(of_the_solver.begin(), of_the_solver.end(), row.key) == of_the_solver.end();
 }
 

@@ -159,7 +159,7 @@ private:
     const JobControl& control_;
     std::unique_ptr<SceneSolver> solver_;
     StepReport before_;
-    std::vector<std::size_t> released_;              ///< by muscle: attached vertices given up so far
+    std::vector<std::size_t> released_; ///< by muscle: attached vertices given up so far
     int first_ejected_ = -1, first_impossible_ = -1, first_unconverged_ = -1; ///< frames
     int unconverged_frames_ = 0;
 };

@@ -54,12 +54,26 @@ TEST_CASE("rest measured against itself", "[metrics][metric_table]") {
                             "edge_extension_p25", "edge_extension_p50", "edge_extension_p75",
                             "edge_extension_p90", "edge_extension_p99", "edge_extension_max"})
         CHECK(value(values, 0, key) == 1.0);
-    for (const char* key :
-         {"dihedral_change_mean_rad", "dihedral_change_p90_rad", "dihedral_change_unsigned_mean_deg",
-          "penetrating_vertices", "penetration_max_mm", "hausdorff_to_rest_mm", "displacement_mean_mm",
-          "displacement_rms_mm", "displacement_max_mm", "attachment_drift_mm", "contacts", "unresolved",
-          "non_finite", "solve_ms", "penetrating_centroids", "centroid_penetration_max_mm",
-          "penetrating_midpoints", "midpoint_penetration_max_mm", "muscle_overlap_mm", "unconverged"})
+    for (const char* key : {"dihedral_change_mean_rad",
+                            "dihedral_change_p90_rad",
+                            "dihedral_change_unsigned_mean_deg",
+                            "penetrating_vertices",
+                            "penetration_max_mm",
+                            "hausdorff_to_rest_mm",
+                            "displacement_mean_mm",
+                            "displacement_rms_mm",
+                            "displacement_max_mm",
+                            "attachment_drift_mm",
+                            "contacts",
+                            "unresolved",
+                            "non_finite",
+                            "solve_ms",
+                            "penetrating_centroids",
+                            "centroid_penetration_max_mm",
+                            "penetrating_midpoints",
+                            "midpoint_penetration_max_mm",
+                            "muscle_overlap_mm",
+                            "unconverged"})
         CHECK(value(values, 0, key) == 0.0);
 }
 

@@ -164,7 +164,8 @@ TEST_CASE("The volume of all tetrahedra is held by their common term, whatever P
     CHECK(statics.volume_ratio(x) == Approx(1).epsilon(1e-6));
     // Uniform: both sides longer by the root of 1 / 0.7.
     for (std::size_t n = 0; n < x.size(); ++n)
-        CHECK((x[n] - bar.nodes[n].cwiseProduct(Vec3(std::sqrt(1 / 0.7), std::sqrt(1 / 0.7), 0.7))).norm() < 1e-4);
+        CHECK((x[n] - bar.nodes[n].cwiseProduct(Vec3(std::sqrt(1 / 0.7), std::sqrt(1 / 0.7), 0.7))).norm() <
+              1e-4);
 }
 
 TEST_CASE("Patch test: an affine motion of the border moves the inside affinely", "[solver][tet]") {
