@@ -91,7 +91,8 @@ TEST_CASE("A picture may have chunks of data that hold nothing", "[io][fuzz]") {
     const std::string empty("\0\0\0\0IDAT\x35\xaf\x06\x1e", 12);
     bytes.insert(33, empty); // after the header
     CHECK(decode_png(bytes, "a.png").rgba == rgba);
-    CHECK_THROWS_WITH(decode_png(bytes.substr(0, 45), "a.png"), Contains("a.png") && Contains("no IDAT"));
+    CHECK_THROWS_WITH(decode_png(bytes.substr(0, 45), "a.png"),
+                      Contains("a.png") && Contains("ends too early"));
 }
 
 TEST_CASE("A name that begins with a byte order mark is written so that it comes back", "[io][fuzz]") {

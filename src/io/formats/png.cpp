@@ -73,6 +73,12 @@ std::string without_empty_data(std::string_view bytes) {
     return kept;
 }
 
+/// Why stb gave up. It names an unknown chunk by its four bytes: zeros, at the end of a file.
+std::string failure_reason() {
+    const std::string reason = stbi_failure_reason();
+    return reason.empty() ? "it ends too early" : reason;
+}
+
 void append(void* bytes, void* data, int size) {
     static_cast<std::string*>(bytes)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
 }
@@ -132,7 +138,7 @@ PngImage decode_png(std::string_view bytes, const std::string& name) {
     PngImage image;
     int channels = 0;
     if (stbi_info_from_memory(data, size, &image.width, &image.height, &channels) == 0)
-        throw_error(name, std::string("not a PNG picture (") + stbi_failure_reason() + ")",
+        throw_error(name, "not a PNG picture (" + failure_reason() + ")",
                     "a PNG file of at most 32768 pixels a side");
     const double pixels = static_cast<double>(image.width) * image.height;
     if (pixels > 500e6 ||
@@ -147,7 +153,7 @@ PngImage decode_png(std::string_view bytes, const std::string& name) {
                               &image.width, &image.height, &channels, 4),
         stbi_image_free);
     if (!decoded)
-        throw_error(name, std::string("damaged PNG picture (") + stbi_failure_reason() + ")");
+        throw_error(name, "damaged PNG picture (" + failure_reason() + ")");
     image.rgba.assign(decoded.get(), decoded.get() + static_cast<std::size_t>(pixels) * 4);
     return image;
 }
