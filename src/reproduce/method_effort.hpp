@@ -10,8 +10,10 @@ namespace fascicle::reproduce {
 /// the table of method_effort.cpp does not name get all 300. A divisor of 300 with frames at 0, 50, 100, ... of the paper's.
 int frames_of(const std::string& method, bool is_short);
 
-/// Coarser lattices and fewer alternations for the short form, whose numbers mean nothing anyway. `parameters` are already the method's.
-void make_coarse(ParamSet& parameters, const std::string& method);
+/// Coarser lattices and fewer alternations where a method would take minutes: in the short form, whose numbers mean nothing anyway, and
+/// for single experiments. `parameters` are already the method's.
+void set_effort(ParamSet& parameters, const std::string& experiment, const std::string& method,
+                bool is_short);
 
 /// The methods of the registry that run an experiment, among `wanted` (empty: all).
 std::vector<std::string> methods_of(const Experiment& experiment, const std::vector<std::string>& wanted);

@@ -63,11 +63,10 @@ double work_of(const Planned& plan, const std::string& method, bool is_short) {
 }
 
 /// Scene of a method, in as many frames as it is given.
-ScenePtr scene_for(const Scene& base, const std::string& method, bool is_short) {
-    auto scene = std::make_shared<Scene>(base);
+ScenePtr scene_for(const Planned& plan, const std::string& method, bool is_short) {
+    auto scene = std::make_shared<Scene>(plan.scene.scene);
     set_method(scene->parameters, method);
-    if (is_short)
-        make_coarse(scene->parameters, method);
+    set_effort(scene->parameters, plan.result->experiment->key, method, is_short);
     scene->timeline = in_frames(scene->timeline, frames_of(method, is_short));
     return scene;
 }
@@ -75,7 +74,7 @@ ScenePtr scene_for(const Scene& base, const std::string& method, bool is_short) 
 void run_method(const Planned& plan, MethodRun& row, const ReproduceOptions& options, const WorkFolder& work,
                 const JobControl& control) {
     const int frames = frames_of(row.method, options.is_short);
-    RunRequest request{scene_for(plan.scene.scene, row.method, options.is_short), plan.scene.notes,
+    RunRequest request{scene_for(plan, row.method, options.is_short), plan.scene.notes,
                        std::max(1, frames / 6)};
     try {
         const WorkFolder::Made made = work.ensure(request, control);

@@ -68,7 +68,7 @@ TEST_CASE("reproduce: the short form changes parameters of the method alone", "[
         ParamSet given = default_parameters();
         set_method(given, method.name);
         ParamSet coarse = given;
-        make_coarse(coarse, method.name);
+        set_effort(coarse, "squish-box", method.name, true);
         INFO(method.name);
         for (const ParamRow& row : given.table().rows())
             if (coarse.text(row.key) != given.text(row.key))
@@ -77,7 +77,7 @@ TEST_CASE("reproduce: the short form changes parameters of the method alone", "[
     ParamSet fem = default_parameters();
     set_method(fem, "fem");
     const double spacing = fem.get("fem.spacing_mm");
-    make_coarse(fem, "fem");
+    set_effort(fem, "iliacus", "fem", true);
     CHECK(fem.get("fem.spacing_mm") > 2 * spacing);
 }
 
