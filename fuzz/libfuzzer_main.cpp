@@ -1,4 +1,4 @@
-// The program of libFuzzer: one for all targets. fascicle_fuzz --target=NAME [libFuzzer's options] [corpus folders];
+// A program of libFuzzer, for a group of targets: fascicle_fuzz_GROUP --target=NAME [libFuzzer's options] [corpus folders];
 // --list names the targets, each with its length, dictionary and seeds.
 
 #include "fuzz/target.hpp"

@@ -1,49 +1,22 @@
 #pragma once
-// The functions of the table in targets.cpp, by file. Each reads bytes as one kind of file and checks what came of it.
+// The rows of every file of targets/, a group each. `targets()` of target.hpp joins them (all_targets.cpp), or is one of them:
+// libFuzzer looks at all counters of a program after each execution, so that it has a program for each group.
 
-#include "fascicle/io/format_registry.hpp"
+#include "fuzz/target.hpp"
 
-#include <string_view>
+#include <vector>
 
 namespace fascicle::fuzz {
 
-// targets/meshes.cpp
-void fuzz_mesh_format(const MeshFormat& format, std::string_view bytes);
-void fuzz_mesh_any(std::string_view bytes);
-void fuzz_area_mesh(std::string_view bytes);
-void fuzz_xml(std::string_view bytes);
-// targets/animations.cpp
-void fuzz_glb(std::string_view bytes);
-void fuzz_usda(std::string_view bytes);
-void fuzz_point_cache(std::string_view bytes);
-void fuzz_series(std::string_view bytes);
-// targets/tables.cpp
-void fuzz_csv(std::string_view bytes);
-void fuzz_motion_csv(std::string_view bytes);
-void fuzz_attachment_csv(std::string_view bytes);
-void fuzz_attachment_areas(std::string_view bytes);
-// targets/opensim.cpp
-void fuzz_osim(std::string_view bytes);
-void fuzz_storage(std::string_view bytes);
-// targets/json_files.cpp
-void fuzz_fibre_template(std::string_view bytes);
-void fuzz_preset(std::string_view bytes);
-void fuzz_lesson(std::string_view bytes);
-void fuzz_settings(std::string_view bytes);
-void fuzz_recent_projects(std::string_view bytes);
-// targets/projects.cpp
-void fuzz_project(std::string_view bytes);
-// targets/runs.cpp
-void fuzz_run_folder(std::string_view bytes);
-// targets/codecs.cpp
-void fuzz_mesh_codec(std::string_view bytes);
-void fuzz_base64(std::string_view bytes);
-void fuzz_grid(std::string_view bytes);
-void fuzz_cache_entry(std::string_view bytes);
-void fuzz_png(std::string_view bytes);
-// targets/options.cpp
-void fuzz_command_line(std::string_view bytes);
-void fuzz_options(std::string_view bytes);
-void fuzz_parameters(std::string_view bytes);
+std::vector<Target> mesh_targets(); ///< a row for each of mesh_formats(), and what is read from meshes
+std::vector<Target> animation_targets();
+std::vector<Target> table_targets();
+std::vector<Target> opensim_targets();
+std::vector<Target> json_targets();
+std::vector<Target> project_targets();
+std::vector<Target> run_targets();
+std::vector<Target> codec_targets();
+std::vector<Target> option_targets();
+std::vector<Target> command_line_targets();
 
 } // namespace fascicle::fuzz

@@ -86,8 +86,6 @@ std::string glb_of(std::string_view bytes) {
            word(binary.size()) + std::string("BIN\0", 4) + binary;
 }
 
-} // namespace
-
 void fuzz_glb(std::string_view bytes) {
     const std::string file = glb_of(bytes);
     Animation animation;
@@ -134,6 +132,19 @@ void fuzz_series(std::string_view bytes) {
         for (std::size_t i = 0; i < series.size(); ++i)
             FUZZ_CHECK(back[i].first == series[i].first);
     });
+}
+
+} // namespace
+
+std::vector<Target> animation_targets() {
+    constexpr std::size_t kB = 1024, MB = 1024 * kB;
+    return {
+        // glTF may say much with little: up to a million points and numbers are trusted to any file.
+        {"animation_glb", fuzz_glb, 4 * kB, "mesh_glb", "animation_glb", 400, 400 * MB},
+        {"animation_usda", fuzz_usda, 4 * kB, "mesh_usda", "mesh_usda", 400, MB},
+        {"point_cache", fuzz_point_cache, 512, "point_cache", "point_cache", 100, MB},
+        {"series", fuzz_series, 1 * kB, "series", "series", 400, MB},
+    };
 }
 
 } // namespace fascicle::fuzz

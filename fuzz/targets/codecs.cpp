@@ -12,6 +12,7 @@
 #include <cstring>
 
 namespace fascicle::fuzz {
+namespace {
 
 void fuzz_mesh_codec(std::string_view bytes) {
     reads("fuzz.json", [&] {
@@ -73,6 +74,20 @@ void fuzz_png(std::string_view bytes) {
         return; // packing it takes long
     const PngImage back = decode_png(encode_png(image.width, image.height, image.rgba.data()), "written");
     FUZZ_CHECK(back.width == image.width && back.height == image.height && back.rgba == image.rgba);
+}
+
+} // namespace
+
+std::vector<Target> codec_targets() {
+    constexpr std::size_t kB = 1024, MB = 1024 * kB;
+    return {
+        {"mesh_codec", fuzz_mesh_codec, 1 * kB, "mesh_codec", "mesh_codec", 400, MB},
+        {"base64", fuzz_base64, 256, "", "base64", 100, MB},
+        {"grid", fuzz_grid, 2 * kB, "", "grid", 400, MB},
+        {"cache_entry", fuzz_cache_entry, 256, "", "cache_entry", 100, MB},
+        // Deflate packs up to 1032 bytes into one, and a pixel of one bit becomes four bytes.
+        {"png", fuzz_png, 1 * kB, "png", "png", 2 * 32 * 1032 * 8, MB},
+    };
 }
 
 } // namespace fascicle::fuzz

@@ -12,6 +12,7 @@
 #include <cmath>
 
 namespace fascicle::fuzz {
+namespace {
 
 void fuzz_fibre_template(std::string_view bytes) {
     FibreTemplate read;
@@ -69,6 +70,19 @@ void fuzz_recent_projects(std::string_view bytes) {
         for (const RecentProject& project : projects)
             FUZZ_CHECK(!project.path.empty());
     });
+}
+
+} // namespace
+
+std::vector<Target> json_targets() {
+    constexpr std::size_t kB = 1024, MB = 1024 * kB;
+    return {
+        {"fibre_template", fuzz_fibre_template, 2 * kB, "fibre_template", "fibre_template", 400, MB},
+        {"preset", fuzz_preset, 2 * kB, "preset", "preset", 400, MB},
+        {"lesson", fuzz_lesson, 4 * kB, "lesson", "lesson", 400, MB},
+        {"settings", fuzz_settings, 1 * kB, "json", "settings", 400, MB},
+        {"recent_projects", fuzz_recent_projects, 1 * kB, "json", "recent_projects", 400, MB},
+    };
 }
 
 } // namespace fascicle::fuzz

@@ -71,8 +71,6 @@ void check_round_trip(const MeshFormat& format, MeshData data) {
         failed("a mesh that is written and read is the same", __FILE__, __LINE__, format.name);
 }
 
-} // namespace
-
 void fuzz_mesh_format(const MeshFormat& format, std::string_view bytes) {
     const std::string name = "fuzz" + format.extensions.at(0);
     MeshData data;
@@ -146,6 +144,24 @@ void fuzz_xml(std::string_view bytes) {
         }
         FUZZ_CHECK(depth == 0);
     });
+}
+
+} // namespace
+
+std::vector<Target> mesh_targets() {
+    // Packed data of VTP and what glTF says with little: a file of any size is trusted with 4 million numbers.
+    constexpr std::size_t kB = 1024, MB = 1024 * kB, packed = 400 * MB;
+    std::vector<Target> rows;
+    for (const MeshFormat& format : mesh_formats()) {
+        const std::string name = "mesh_" + format.extensions.at(0).substr(1);
+        const auto run = [&format](std::string_view bytes) { fuzz_mesh_format(format, bytes); };
+        const std::size_t base = name == "mesh_vtp" || name == "mesh_glb" ? packed : MB;
+        rows.push_back({name, run, 4 * kB, name, name, 400, base});
+    }
+    rows.push_back({"mesh_any", fuzz_mesh_any, 4 * kB, "", "mesh_any", 400, packed});
+    rows.push_back({"area_mesh", fuzz_area_mesh, 4 * kB, "mesh_vtp", "area_mesh", 400, packed});
+    rows.push_back({"xml", fuzz_xml, 2 * kB, "xml", "xml", 100, MB});
+    return rows;
 }
 
 } // namespace fascicle::fuzz

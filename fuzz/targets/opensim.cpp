@@ -67,8 +67,6 @@ LineMuscles arm() {
     return lines;
 }
 
-} // namespace
-
 void fuzz_osim(std::string_view bytes) {
     OsimModel file;
     if (!reads("fuzz.osim", [&] { file = read_osim(bytes, "fuzz.osim"); }))
@@ -124,6 +122,16 @@ void fuzz_storage(std::string_view bytes) {
                 FUZZ_CHECK(key.pose.rotation.allFinite() && key.pose.translation.allFinite());
         });
     }
+}
+
+} // namespace
+
+std::vector<Target> opensim_targets() {
+    constexpr std::size_t kB = 1024, MB = 1024 * kB;
+    return {
+        {"osim", fuzz_osim, 8 * kB, "osim", "osim", 400, 4 * MB},
+        {"storage", fuzz_storage, 2 * kB, "storage", "storage", 400, 4 * MB},
+    };
 }
 
 } // namespace fascicle::fuzz

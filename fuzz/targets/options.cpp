@@ -1,54 +1,17 @@
-// The command line, and the texts of single options.
+// The texts of single options.
 
-#include "app/cli/command_line.hpp"
 #include "fascicle/io/load_scene.hpp"
 #include "fascicle/io/osim_request.hpp"
 #include "fascicle/solver/parameters.hpp"
 #include "fuzz/check.hpp"
 #include "fuzz/targets.hpp"
+#include "fuzz/words.hpp"
 #include "io/formats/text_scanner.hpp"
 
 #include <cmath>
 
 namespace fascicle::fuzz {
 namespace {
-
-constexpr std::size_t most_words = 64;
-
-std::vector<std::string> words_of(std::string_view bytes, char separator) {
-    std::vector<std::string> words;
-    while (words.size() < most_words) {
-        const std::size_t end = std::min(bytes.find(separator), bytes.size());
-        words.emplace_back(bytes.substr(0, end));
-        if (end == bytes.size())
-            break;
-        bytes.remove_prefix(end + 1);
-    }
-    return words;
-}
-
-void check_usage(const std::function<void()>& parse) {
-    try {
-        parse();
-    } catch (const Error& error) {
-        check_message(error, {});
-        FUZZ_CHECK(error.kind() == ErrorKind::usage);
-    }
-}
-
-} // namespace
-
-/// A word a line.
-void fuzz_command_line(std::string_view bytes) {
-    std::vector<std::string> words = words_of(bytes, '\n');
-    words.insert(words.begin(), "fascicle");
-    std::vector<char*> argv;
-    for (std::string& word : words)
-        argv.push_back(word.data());
-    argv.push_back(nullptr);
-    check_usage(
-        [&] { FUZZ_CHECK(app::parse_command_line(static_cast<int>(words.size()), argv.data()) != nullptr); });
-}
 
 void fuzz_options(std::string_view bytes) {
     const std::string text(bytes);
@@ -106,6 +69,16 @@ void fuzz_parameters(std::string_view bytes) {
             again.set_text(row.key, parameters.text(row.key));
     }
     FUZZ_CHECK(again == parameters);
+}
+
+} // namespace
+
+std::vector<Target> option_targets() {
+    constexpr std::size_t MB = 1024 * 1024;
+    return {
+        {"options", fuzz_options, 128, "options", "options", 1000, MB},
+        {"parameters", fuzz_parameters, 256, "parameters", "parameters", 1000, MB},
+    };
 }
 
 } // namespace fascicle::fuzz

@@ -77,8 +77,6 @@ void check_scene(const Scene& scene) {
     }
 }
 
-} // namespace
-
 void fuzz_project(std::string_view bytes) {
     if (!stays_inside(bytes))
         return;
@@ -101,6 +99,15 @@ void fuzz_project(std::string_view bytes) {
     const Project with_unknown = read_project_text(kept, project_path);
     if (project_text(project_path, with_unknown.scene, {{}, true}) != first)
         failed("unknown fields change nothing", __FILE__, __LINE__);
+}
+
+} // namespace
+
+std::vector<Target> project_targets() {
+    constexpr std::size_t kB = 1024, MB = 1024 * kB;
+    return {
+        {"project", fuzz_project, 8 * kB, "project", "project", 400, 4 * MB},
+    };
 }
 
 } // namespace fascicle::fuzz

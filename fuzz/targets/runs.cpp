@@ -32,8 +32,6 @@ std::map<std::string, std::string_view> files_of(std::string_view bytes) {
     return files;
 }
 
-} // namespace
-
 void fuzz_run_folder(std::string_view bytes) {
     const std::map<std::string, std::string_view> files = files_of(bytes);
     const RunFiles source{[&](const std::filesystem::path& path) {
@@ -64,6 +62,15 @@ void fuzz_run_folder(std::string_view bytes) {
                     FUZZ_CHECK(p.allFinite());
         }
     });
+}
+
+} // namespace
+
+std::vector<Target> run_targets() {
+    constexpr std::size_t kB = 1024, MB = 1024 * kB;
+    return {
+        {"run_folder", fuzz_run_folder, 8 * kB, "run_folder", "run_folder", 400, 400 * MB}, // packed data of VTP
+    };
 }
 
 } // namespace fascicle::fuzz

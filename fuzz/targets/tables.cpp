@@ -57,8 +57,6 @@ Scene two_bones() {
     return scene;
 }
 
-} // namespace
-
 void fuzz_csv(std::string_view bytes) {
     Rows rows;
     if (!reads("fuzz.csv", [&] { rows = all_rows(bytes, "fuzz.csv"); }))
@@ -133,6 +131,18 @@ void fuzz_attachment_areas(std::string_view bytes) {
         for (const AttachmentArea& area : areas_from_outlines(scene, muscle, surfaces, notes))
             FUZZ_CHECK(area.bone >= 0 && area.bone < 2 && area.vertices.vertex_count() == 6);
     });
+}
+
+} // namespace
+
+std::vector<Target> table_targets() {
+    constexpr std::size_t kB = 1024, MB = 1024 * kB;
+    return {
+        {"csv", fuzz_csv, 1 * kB, "csv", "csv", 400, MB},
+        {"motion_csv", fuzz_motion_csv, 2 * kB, "motion_csv", "motion_csv", 400, MB},
+        {"attachment_csv", fuzz_attachment_csv, 2 * kB, "attachment_csv", "attachment_csv", 400, MB},
+        {"attachment_areas", fuzz_attachment_areas, 2 * kB, "attachment_csv", "attachment_csv", 400, 4 * MB},
+    };
 }
 
 } // namespace fascicle::fuzz
