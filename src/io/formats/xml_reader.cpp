@@ -67,18 +67,22 @@ std::string XmlReader::without_entities(std::string_view text) {
     static constexpr std::pair<std::string_view, char> entities[] = {
         {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&apos;", '\''}, {"&amp;", '&'}};
     std::string out;
-    while (!text.empty()) {
-        std::size_t length = 1;
-        char c = text[0];
+    for (;;) {
+        const std::size_t mark = text.find('&');
+        out += text.substr(0, mark);
+        if (mark == std::string_view::npos)
+            return out;
+        text.remove_prefix(mark);
+        std::size_t length = 1; // what is no entity stays
+        char c = '&';
         for (const auto& [entity, meant] : entities)
-            if (text.substr(0, entity.size()) == entity) {
+            if (text.starts_with(entity)) {
                 length = entity.size();
                 c = meant;
             }
         out += c;
         text.remove_prefix(length);
     }
-    return out;
 }
 
 void XmlReader::read_attributes() {
