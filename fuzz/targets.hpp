@@ -11,6 +11,7 @@ namespace fascicle::fuzz {
 std::vector<Target> mesh_targets(); ///< a row for each of mesh_formats(), and what is read from meshes
 std::vector<Target> animation_targets();
 std::vector<Target> table_targets();
+std::vector<Target> scene_targets(); ///< what is read onto a scene
 std::vector<Target> opensim_targets();
 std::vector<Target> json_targets();
 std::vector<Target> project_targets();

@@ -1,11 +1,8 @@
-// Small files in JSON.
+// Small files in JSON that name no parameters.
 
 #include "fascicle/io/fibre_template_file.hpp"
-#include "fascicle/io/lesson_file.hpp"
-#include "fascicle/io/preset_file.hpp"
 #include "fascicle/io/recent_projects.hpp"
 #include "fascicle/io/settings_file.hpp"
-#include "fascicle/solver/parameters.hpp"
 #include "fuzz/check.hpp"
 #include "fuzz/targets.hpp"
 
@@ -25,31 +22,6 @@ void fuzz_fibre_template(std::string_view bytes) {
                 const Vec3 p = read.point(r, s, t);
                 FUZZ_CHECK(p.allFinite() && p.minCoeff() >= -1e-9 && p.maxCoeff() <= 1 + 1e-9);
             }
-}
-
-void fuzz_preset(std::string_view bytes) {
-    Preset read;
-    if (!reads("fuzz.json", [&] { read = parse_preset(bytes, "fuzz.json"); }))
-        return;
-    static const ParamSet defaults = default_parameters();
-    FUZZ_CHECK(!read.key.empty() && !read.values.empty());
-    ParamSet applied = defaults;
-    apply_preset(read, applied);
-    preset_changes(read, defaults);
-    const Preset back = parse_preset(preset_text(read), "written.json");
-    FUZZ_CHECK(back.key == read.key && back.label == read.label && back.meaning == read.meaning);
-    ParamSet again = defaults;
-    apply_preset(back, again);
-    FUZZ_CHECK(again == applied);
-}
-
-void fuzz_lesson(std::string_view bytes) {
-    reads("fuzz.json", [&] {
-        const Lesson lesson = parse_lesson(bytes, "fuzz.json");
-        FUZZ_CHECK(!lesson.title.empty() && !lesson.steps.empty() && lesson.minutes >= 1);
-        for (const LessonStep& step : lesson.steps)
-            FUZZ_CHECK(!step.title.empty() && step.task.empty() == step.checks.empty());
-    });
 }
 
 void fuzz_settings(std::string_view bytes) {
@@ -78,8 +50,6 @@ std::vector<Target> json_targets() {
     constexpr std::size_t kB = 1024, MB = 1024 * kB;
     return {
         {"fibre_template", fuzz_fibre_template, 2 * kB, "fibre_template", "fibre_template", 400, MB},
-        {"preset", fuzz_preset, 2 * kB, "preset", "preset", 400, MB},
-        {"lesson", fuzz_lesson, 4 * kB, "lesson", "lesson", 400, MB},
         {"settings", fuzz_settings, 1 * kB, "json", "settings", 400, MB},
         {"recent_projects", fuzz_recent_projects, 1 * kB, "json", "recent_projects", 400, MB},
     };

@@ -2,7 +2,6 @@
 
 #include "fascicle/geometry/bounding_box.hpp"
 #include "fascicle/geometry/mesh_check.hpp"
-#include "fascicle/io/area_file.hpp"
 #include "fascicle/io/load_scene.hpp"
 #include "fascicle/io/mesh_convert.hpp"
 #include "fascicle/io/mesh_file.hpp"
@@ -98,34 +97,6 @@ void fuzz_mesh_any(std::string_view bytes) {
     });
 }
 
-void fuzz_area_mesh(std::string_view bytes) {
-    static const Scene scene = [] {
-        Scene made;
-        const TriMesh bone{{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)},
-                           {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
-        made.bones = {{"bone", std::make_shared<const TriMesh>(bone), {}}};
-        return made;
-    }();
-    reads("fuzz.vtp", [&] {
-        MeshFile file = read_mesh_bytes(bytes, "fuzz.vtp");
-        MeshData data;
-        data.mesh = std::move(file.mesh);
-        data.point_arrays = std::move(file.point_arrays);
-        Scene marked = scene;
-        marked.muscles.resize(1);
-        marked.muscles[0].name = "m";
-        marked.muscles[0].areas = areas_from_mesh(data, "fuzz.vtp", scene, 0, "m");
-        for (const AttachmentArea& area : marked.muscles[0].areas)
-            FUZZ_CHECK(area.bone == 0 && area.vertices.vertex_count() == 4);
-        const MeshData back = area_mesh(marked, 0, 0);
-        const std::vector<AttachmentArea> again = areas_from_mesh(back, "again", scene, 0, "m");
-        FUZZ_CHECK(again.size() == marked.muscles[0].areas.size());
-        for (std::size_t i = 0; i < again.size(); ++i) // heads are numbered anew: without gaps
-            FUZZ_CHECK(again[i].vertices == marked.muscles[0].areas[i].vertices &&
-                       again[i].kind == marked.muscles[0].areas[i].kind);
-    });
-}
-
 void fuzz_xml(std::string_view bytes) {
     reads("fuzz.xml", [&] {
         io::XmlReader xml(bytes, "fuzz.xml");
@@ -159,7 +130,6 @@ std::vector<Target> mesh_targets() {
         rows.push_back({name, run, 4 * kB, name, name, 400, base});
     }
     rows.push_back({"mesh_any", fuzz_mesh_any, 4 * kB, "", "mesh_any", 400, packed});
-    rows.push_back({"area_mesh", fuzz_area_mesh, 4 * kB, "mesh_vtp", "area_mesh", 400, packed});
     rows.push_back({"xml", fuzz_xml, 2 * kB, "xml", "xml", 100, MB});
     return rows;
 }

@@ -1,14 +1,11 @@
-// OpenSim's models and tables over time.
+// OpenSim's models.
 
 #include "fascicle/anatomy/line_measure.hpp"
 #include "fascicle/io/osim_file.hpp"
-#include "fascicle/io/storage_write.hpp"
-#include "fascicle/io/table_motion.hpp"
 #include "fuzz/check.hpp"
 #include "fuzz/targets.hpp"
 
 #include <cmath>
-#include <sstream>
 
 namespace fascicle::fuzz {
 namespace {
@@ -42,31 +39,6 @@ void check_model(const LineModel& model) {
     }
 }
 
-/// An arm that turns about z on a base: coordinate "hip_flexion_r", translation "slide".
-LineMuscles arm() {
-    auto model = std::make_shared<LineModel>();
-    Skeleton& skeleton = model->skeleton;
-    skeleton.bodies.push_back({"arm", 0, Vec3::Zero(), {}});
-    Coordinate turn, slide;
-    turn.name = "hip_flexion_r";
-    slide.name = "slide";
-    slide.kind = CoordinateKind::translational;
-    skeleton.coordinates = {turn, slide};
-    Joint joint;
-    joint.name = "hip";
-    joint.child = 1;
-    joint.rotations = {{Vec3::UnitZ(), {{{0, 1.0}}, JointFunction::linear(1, 0)}}};
-    joint.translations = {{Vec3::UnitX(), {{{1, 1.0}}, JointFunction::linear(1, 0)}}};
-    skeleton.joints = {joint};
-    arrange_skeleton(skeleton, "arm");
-    LineMuscles lines;
-    lines.rest.assign(2, Pose{});
-    lines.bone_of_body = {"base", "arm"};
-    lines.rest_values.assign(2, 0.0);
-    lines.model = model;
-    return lines;
-}
-
 void fuzz_osim(std::string_view bytes) {
     OsimModel file;
     if (!reads("fuzz.osim", [&] { file = read_osim(bytes, "fuzz.osim"); }))
@@ -82,55 +54,12 @@ void fuzz_osim(std::string_view bytes) {
         measure_line(solver, m, values.empty() ? -1 : 0, posture);
 }
 
-void fuzz_storage(std::string_view bytes) {
-    static const LineMuscles lines = arm();
-    static const Scene scene = [] {
-        Scene made;
-        const auto mesh = std::make_shared<const TriMesh>();
-        made.bones = {{"base", mesh, {}}, {"arm", mesh, {}}};
-        return made;
-    }();
-    StorageTable table;
-    if (!reads("fuzz.mot", [&] { table = read_storage(bytes, "fuzz.mot"); }))
-        return;
-    FUZZ_CHECK(table.row_count() > 0 && !table.columns.empty());
-    FUZZ_CHECK(table.values.size() == table.row_count() * table.columns.size());
-    for (std::size_t i = 0; i < table.lines.size(); ++i)
-        FUZZ_CHECK(table.lines[i] >= 1 && (i == 0 || table.lines[i] > table.lines[i - 1]));
-    std::ostringstream out;
-    write_storage(out, table);
-    const StorageTable back = read_storage(out.str(), "written");
-    FUZZ_CHECK(back.columns == table.columns && back.in_degrees == table.in_degrees);
-    std::ostringstream again;
-    write_storage(again, back);
-    FUZZ_CHECK(again.str() == out.str());
-    for (const int lead_in : {0, 3}) {
-        const TableTiming timing{0.1, lead_in};
-        reads("fuzz.mot", [&] {
-            const int frames = frame_count(table, timing);
-            FUZZ_CHECK(frames >= 1);
-            if (frames > 1000)
-                return; // a short file may ask for 100,000, which is slow, not wrong
-            const std::vector<AngleKey> angles =
-                column_angles(table, static_cast<int>(table.columns.size()) - 1, 0.01, timing);
-            FUZZ_CHECK(angles.front().frame == 0 && angles.back().frame == frames);
-            std::vector<std::string> notes;
-            const Timeline timeline =
-                model_timeline(table, lines, lines.bone_of_body, 0, scene, timing, notes);
-            FUZZ_CHECK(timeline.last_frame == frames);
-            for (const PoseKey& key : timeline.bone_tracks.at(1).keys)
-                FUZZ_CHECK(key.pose.rotation.allFinite() && key.pose.translation.allFinite());
-        });
-    }
-}
-
 } // namespace
 
 std::vector<Target> opensim_targets() {
     constexpr std::size_t kB = 1024, MB = 1024 * kB;
     return {
         {"osim", fuzz_osim, 8 * kB, "osim", "osim", 400, 4 * MB},
-        {"storage", fuzz_storage, 2 * kB, "storage", "storage", 400, 4 * MB},
     };
 }
 

@@ -1,7 +1,9 @@
-// The texts of single options.
+// Texts of options, and files that name parameters.
 
+#include "fascicle/io/lesson_file.hpp"
 #include "fascicle/io/load_scene.hpp"
 #include "fascicle/io/osim_request.hpp"
+#include "fascicle/io/preset_file.hpp"
 #include "fascicle/solver/parameters.hpp"
 #include "fuzz/check.hpp"
 #include "fuzz/targets.hpp"
@@ -71,11 +73,38 @@ void fuzz_parameters(std::string_view bytes) {
     FUZZ_CHECK(again == parameters);
 }
 
+void fuzz_preset(std::string_view bytes) {
+    Preset read;
+    if (!reads("fuzz.json", [&] { read = parse_preset(bytes, "fuzz.json"); }))
+        return;
+    static const ParamSet defaults = default_parameters();
+    FUZZ_CHECK(!read.key.empty() && !read.values.empty());
+    ParamSet applied = defaults;
+    apply_preset(read, applied);
+    preset_changes(read, defaults);
+    const Preset back = parse_preset(preset_text(read), "written.json");
+    FUZZ_CHECK(back.key == read.key && back.label == read.label && back.meaning == read.meaning);
+    ParamSet again = defaults;
+    apply_preset(back, again);
+    FUZZ_CHECK(again == applied);
+}
+
+void fuzz_lesson(std::string_view bytes) {
+    reads("fuzz.json", [&] {
+        const Lesson lesson = parse_lesson(bytes, "fuzz.json");
+        FUZZ_CHECK(!lesson.title.empty() && !lesson.steps.empty() && lesson.minutes >= 1);
+        for (const LessonStep& step : lesson.steps)
+            FUZZ_CHECK(!step.title.empty() && step.task.empty() == step.checks.empty());
+    });
+}
+
 } // namespace
 
 std::vector<Target> option_targets() {
-    constexpr std::size_t MB = 1024 * 1024;
+    constexpr std::size_t kB = 1024, MB = 1024 * kB;
     return {
+        {"preset", fuzz_preset, 2 * kB, "preset", "preset", 400, MB},
+        {"lesson", fuzz_lesson, 4 * kB, "lesson", "lesson", 400, MB},
         {"options", fuzz_options, 128, "options", "options", 1000, MB},
         {"parameters", fuzz_parameters, 256, "parameters", "parameters", 1000, MB},
     };

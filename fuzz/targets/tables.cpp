@@ -2,8 +2,6 @@
 
 #include "fascicle/io/attachment_file.hpp"
 #include "fascicle/io/csv.hpp"
-#include "fascicle/io/motion_file.hpp"
-#include "fascicle/scene/outline_areas.hpp"
 #include "fuzz/check.hpp"
 #include "fuzz/targets.hpp"
 
@@ -43,20 +41,6 @@ bool has_rows(std::string_view bytes, const Rows& rows) {
     return row == rows.size();
 }
 
-/// The octahedron about the origin, of radius 10.
-MeshPtr octahedron() {
-    return std::make_shared<const TriMesh>(TriMesh{
-        {Vec3(10, 0, 0), Vec3(-10, 0, 0), Vec3(0, 10, 0), Vec3(0, -10, 0), Vec3(0, 0, 10), Vec3(0, 0, -10)},
-        {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}});
-}
-
-Scene two_bones() {
-    Scene scene;
-    scene.bones = {{"pelvis", octahedron(), {}}, {"femur", octahedron(), {}}};
-    scene.unit = LengthUnit::millimetre;
-    return scene;
-}
-
 void fuzz_csv(std::string_view bytes) {
     Rows rows;
     if (!reads("fuzz.csv", [&] { rows = all_rows(bytes, "fuzz.csv"); }))
@@ -84,28 +68,6 @@ void fuzz_csv(std::string_view bytes) {
         plain_column(name);
 }
 
-void fuzz_motion_csv(std::string_view bytes) {
-    static const Scene scene = two_bones();
-    reads("fuzz.csv", [&] {
-        const Timeline timeline = read_motion(bytes, "fuzz.csv", scene);
-        FUZZ_CHECK(timeline.last_frame >= 1 && timeline.last_frame <= 3'000'000);
-        FUZZ_CHECK(timeline.bone_tracks.size() <= scene.bones.size());
-        for (const BoneTrack& track : timeline.bone_tracks)
-            for (std::size_t k = 0; k < track.keys.size(); ++k) {
-                const PoseKey& key = track.keys[k];
-                FUZZ_CHECK(k == 0 || key.frame > track.keys[k - 1].frame);
-                FUZZ_CHECK(key.pose.translation.allFinite());
-                FUZZ_CHECK((key.pose.rotation * key.pose.rotation.transpose() - Mat3::Identity()).norm() <
-                           1e-6);
-            }
-        for (const double frame : {0.0, 0.5, 1.0, timeline.last_frame / 2.0, double(timeline.last_frame)}) {
-            for (int bone = 0; bone < 2; ++bone)
-                FUZZ_CHECK(timeline.bone_pose(bone, frame).rotation.allFinite());
-            FUZZ_CHECK(std::isfinite(timeline.angle_rad(frame)));
-        }
-    });
-}
-
 void fuzz_attachment_csv(std::string_view bytes) {
     for (const LengthUnit unit : {LengthUnit::millimetre, LengthUnit::metre})
         reads("fuzz.csv", [&] {
@@ -120,28 +82,13 @@ void fuzz_attachment_csv(std::string_view bytes) {
         });
 }
 
-void fuzz_attachment_areas(std::string_view bytes) {
-    static const Scene scene = two_bones();
-    static BoneSurfaces surfaces;
-    Muscle muscle;
-    muscle.name = "fuzz.csv";
-    reads("fuzz.csv", [&] {
-        muscle.outlines = read_attachments(bytes, "fuzz.csv", scene.unit);
-        std::vector<std::string> notes;
-        for (const AttachmentArea& area : areas_from_outlines(scene, muscle, surfaces, notes))
-            FUZZ_CHECK(area.bone >= 0 && area.bone < 2 && area.vertices.vertex_count() == 6);
-    });
-}
-
 } // namespace
 
 std::vector<Target> table_targets() {
     constexpr std::size_t kB = 1024, MB = 1024 * kB;
     return {
         {"csv", fuzz_csv, 1 * kB, "csv", "csv", 400, MB},
-        {"motion_csv", fuzz_motion_csv, 2 * kB, "motion_csv", "motion_csv", 400, MB},
         {"attachment_csv", fuzz_attachment_csv, 2 * kB, "attachment_csv", "attachment_csv", 400, MB},
-        {"attachment_areas", fuzz_attachment_areas, 2 * kB, "attachment_csv", "attachment_csv", 400, 4 * MB},
     };
 }
 
