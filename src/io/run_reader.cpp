@@ -128,17 +128,23 @@ void RunReader::read_summary() {
     scene_ = std::move(scene);
 }
 
+/// Place in frames_ of a frame's number; -1 for one that has no files.
+int RunReader::place_of(int frame) const {
+    const auto it = std::lower_bound(frames_.begin(), frames_.end(), frame);
+    return it != frames_.end() && *it == frame ? static_cast<int>(it - frames_.begin()) : -1;
+}
+
 void RunReader::read_motion() {
-    const auto count = static_cast<std::size_t>(frames_.back()) + 1;
-    if (count * std::max<std::size_t>(1, scene_->bones.size()) > 20'000'000)
+    const std::size_t count = frames_.size(), bones = scene_->bones.size();
+    if (count * std::max<std::size_t>(1, bones) > 20'000'000)
         throw_error(folder_.string(),
-                    std::to_string(count) + " frames of " + std::to_string(scene_->bones.size()) + " bones",
+                    std::to_string(count) + " frames of " + std::to_string(bones) + " bones",
                     "at most 20 million poses");
     const fs::path path = folder_ / "motion.csv";
     const std::string bytes = files_.read(path);
-    require_rows(path, bytes, count * scene_->bones.size(),
-                 28); // "0,a,1,0,0,0,0,1,0,0,0,0,1,0" and a line end
-    poses_.assign(count, std::vector<Pose>(scene_->bones.size()));
+    require_rows(path, bytes, count * bones, 28); // "0,a,1,0,0,0,0,1,0,0,0,0,1,0" and a line end
+    poses_.assign(count, std::vector<Pose>(bones));
+    std::vector<char> given(count * bones, 0);
     CsvReader csv(bytes, path.string());
     const int frame_column = csv.column("frame"), bone_column = csv.column("bone");
     int m[3][4];
@@ -151,41 +157,52 @@ void RunReader::read_motion() {
     if (!complete)
         csv.fail("a column is missing", "frame,bone,m00,m01,...,m23");
     while (csv.next_row()) {
-        const auto frame = static_cast<std::size_t>(row_frame(csv, frame_column));
+        const int place = place_of(row_frame(csv, frame_column));
         const int bone = scene_->bone_index(csv.cell(bone_column));
         if (bone < 0)
             csv.fail("bone '" + csv.cell(bone_column) + "' is not in summary.json", "a bone of the run");
-        if (frame >= count)
+        if (place < 0)
             continue;
-        Pose& pose = poses_[frame][static_cast<std::size_t>(bone)];
+        const auto k = static_cast<std::size_t>(place), b = static_cast<std::size_t>(bone);
+        given[k * bones + b] = 1;
+        Pose& pose = poses_[k][b];
         for (int r = 0; r < 3; ++r) {
             for (int c = 0; c < 3; ++c)
                 pose.rotation(r, c) = csv.number(m[r][c]);
             pose.translation[r] = csv.number(m[r][3]);
         }
     }
+    for (std::size_t i = 0; i < given.size(); ++i)
+        if (given[i] == 0)
+            throw_error(path.string(),
+                        "no row of bone '" + scene_->bones[i % bones].name + "' in frame " +
+                            std::to_string(frames_[i / bones]),
+                        "a row for every bone and every frame that has files");
 }
 
 void RunReader::read_angles() {
-    const auto count = static_cast<std::size_t>(frames_.back()) + 1;
     const fs::path path = folder_ / "metrics.csv";
     const std::string bytes = files_.read(path);
-    require_rows(path, bytes, count, 4); // "0,0" and a line end
-    angles_.assign(count, 0.0);
-    solve_seconds_.assign(count, 0.0);
+    require_rows(path, bytes, frames_.size(), 4); // "0,0" and a line end
+    solve_seconds_.assign(frames_.size(), 0.0);
     CsvReader csv(bytes, path.string());
     const int frame_column = csv.column("frame"), angle_column = csv.column("angle_deg"),
               time_column = csv.column("solve_ms"); // of tables that have it
     if (frame_column < 0 || angle_column < 0)
         csv.fail("a column is missing", "frame,muscle,angle_deg,...");
     while (csv.next_row()) {
-        const auto frame = static_cast<std::size_t>(row_frame(csv, frame_column));
-        if (frame >= angles_.size())
+        const int frame = row_frame(csv, frame_column);
+        if (frame > frames_.back())
             continue;
         angles_[frame] = csv.number(angle_column) * (std::numbers::pi / 180.0);
-        if (double ms = 0; time_column >= 0 && parse_number(csv.cell(time_column), ms))
-            solve_seconds_[frame] = ms / 1000.0;
+        const int place = place_of(frame);
+        if (double ms = 0; place >= 0 && time_column >= 0 && parse_number(csv.cell(time_column), ms))
+            solve_seconds_[static_cast<std::size_t>(place)] = ms / 1000.0;
     }
+    for (const int frame : frames_)
+        if (angles_.count(frame) == 0)
+            throw_error(path.string(), "no row of frame " + std::to_string(frame),
+                        "a row for every frame that has files");
 }
 
 namespace {
@@ -216,8 +233,8 @@ FibreModelPtr read_fibres(const RunFiles& files, const fs::path& path, const Tri
 void RunReader::read_rest() {
     auto scene = std::make_shared<Scene>(*scene_);
     // Which way the joint goes decides the sign of moment arms.
-    for (std::size_t k = 0; k < angles_.size(); ++k)
-        scene->timeline.angles.push_back({static_cast<double>(k), angles_[k]});
+    for (const auto& [frame, angle_rad] : angles_)
+        scene->timeline.angles.push_back({static_cast<double>(frame), angle_rad});
     for (Muscle& muscle : scene->muscles) {
         const fs::path path = folder_ / io::frame_file(muscle.name, 0);
         MeshData data = read_vtp_file(files_, path);
@@ -257,7 +274,8 @@ void RunReader::read_rest() {
 }
 
 FramePtr RunReader::read_frame(int frame) const {
-    if (!std::binary_search(frames_.begin(), frames_.end(), frame)) {
+    const int place = place_of(frame);
+    if (place < 0) {
         const auto nearest = std::min_element(frames_.begin(), frames_.end(), [&](int a, int b) {
             return std::abs(a - frame) < std::abs(b - frame);
         });
@@ -266,9 +284,9 @@ FramePtr RunReader::read_frame(int frame) const {
     }
     auto out = std::make_shared<Frame>();
     out->index = frame;
-    out->angle_rad = angles_[static_cast<std::size_t>(frame)];
-    out->bone_poses = poses_[static_cast<std::size_t>(frame)];
-    out->report.solve_seconds = solve_seconds_[static_cast<std::size_t>(frame)];
+    out->angle_rad = angles_.at(frame);
+    out->bone_poses = poses_[static_cast<std::size_t>(place)];
+    out->report.solve_seconds = solve_seconds_[static_cast<std::size_t>(place)];
     for (const Muscle& muscle : scene_->muscles) {
         const fs::path path = folder_ / io::frame_file(muscle.name, frame);
         MeshData data = read_vtp_file(files_, path);

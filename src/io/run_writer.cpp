@@ -11,6 +11,7 @@
 #include "fascicle/io/series_file.hpp"
 #include "fascicle/io/staged_files.hpp"
 #include "fascicle/metrics/metric_table.hpp"
+#include "fascicle/metrics/run_difference.hpp"
 #include "fascicle/scene/line_muscles.hpp"
 #include "fascicle/scene/model_motion.hpp"
 #include "io/formats/pvd.hpp"
@@ -121,8 +122,7 @@ void RunWriter::Impl::remove_stale(bool after_a_run, const std::set<fs::path>& w
             stale.push_back(io::series_file(muscle.name));
     }
     if (after_a_run)
-        stale.insert(stale.end(), {"rest.png", "flexed.png", "last.png", "film_strip.png"});
-    stale.emplace_back("fibres.csv");
+        stale.insert(stale.end(), {"fibres.csv", "rest.png", "flexed.png", "last.png", "film_strip.png"});
     for (const fs::path& file : stale)
         if (written.count(file) == 0)
             fs::remove(target / file, ignored);
@@ -227,7 +227,10 @@ void RunWriter::Impl::write_fibres(const Recording& recording,
         FibreSet fibres = series[m]->rest();
         std::vector<std::pair<double, std::string>> steps;
         for (const int k : vtp_frames) {
-            models.at(m)->carrier.carry(*recording.frame(k)->muscle_positions[m], fibres.points);
+            const FramePtr frame =
+                frame_not_after(recording, k); // its place is another in what was read from a thinned run
+            FASCICLE_ASSERT(frame != nullptr && frame->index == k);
+            models.at(m)->carrier.carry(*frame->muscle_positions[m], fibres.points);
             write_stamped_file(folder / fibre_file(scene->muscles[m].name, k),
                                fibre_lines(*series[m], k, fibres), stamp_of(scene->unit));
             steps.emplace_back(k * scene->parameters.get("solver.frame_time"),

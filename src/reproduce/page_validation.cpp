@@ -159,13 +159,15 @@ private:
         for (const SensitivityVariant& v : s.variants) {
             std::vector<std::string> cells{xml_escaped(v.key), whole_number(v.triangles),
                                            std::to_string(v.passes)};
+            // One that failed has no numbers, or not those of all its runs.
+            const std::size_t quantities = v.failure.empty() ? v.values.size() : 0;
             if (!v.failure.empty())
                 cells.push_back(xml_escaped(v.failure));
-            for (std::size_t q = 0; q < v.values.size(); ++q) {
-                const double moved = v.values[q] - s.variants[v.base].values[q];
+            const std::vector<double>& base = s.variants[v.base].values;
+            for (std::size_t q = 0; q < quantities; ++q) {
                 std::string text = page_.cell(v.values[q], 5);
-                if (&v != &s.variants.front() && !s.variants[v.base].values.empty())
-                    text += " (" + told_move(moved) + ")";
+                if (&v != &s.variants.front() && q < base.size())
+                    text += " (" + told_move(v.values[q] - base[q]) + ")";
                 cells.push_back(std::move(text));
             }
             page_.row(cells, "td", 1);

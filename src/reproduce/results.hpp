@@ -117,6 +117,7 @@ struct SpeedRow {
 };
 struct SpeedResult {
     std::vector<SpeedRow> rows;
+    std::vector<std::string> failures; ///< object, method and reason of runs that leave no row
     /// By method and threads: rank correlation of frames a second with triangles, over the rows.
     struct Correlation {
         std::string method;

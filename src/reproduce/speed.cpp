@@ -51,7 +51,8 @@ SpeedResult measure_speed(const std::vector<SpeedObject>& objects, const std::ve
                 };
                 try {
                     run_simulation(recording, {count, cache}, inner);
-                } catch (const Error&) {
+                } catch (const Error& error) {
+                    result.failures.push_back(object.name + ", " + method + ": " + error.what());
                     continue;
                 }
                 if (recording.state() == RunState::cancelled)

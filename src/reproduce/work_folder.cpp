@@ -176,7 +176,13 @@ bool WorkFolder::has(const RunRequest& request) const {
         return false;
     try {
         const auto known = nlohmann::ordered_json::parse(read_file(folder / marker));
-        return known.at("key") == run_key(request, program_) && known.at("files") == listing(folder);
+        if (known.at("key") != run_key(request, program_))
+            return false;
+        const nlohmann::ordered_json present = listing(folder); // a user's own pictures of the run among them
+        for (const auto& [name, facts] : known.at("files").items())
+            if (!present.contains(name) || present.at(name) != facts)
+                return false;
+        return true;
     } catch (const std::exception&) {
         return false; // unreadable, or not JSON: a damaged run
     }

@@ -139,6 +139,15 @@ class ReproduceTest(ProgramTest):
         self.check_error(2, ["--threads"], "reproduce", "--threads", "0", "--out", "out")
         self.assertEqual(list(self.folder.iterdir()), [])
 
+    def test_a_run_that_fails_is_told_and_tables_of_a_users_own_stay(self):
+        out = self.folder / "a"
+        out.mkdir()
+        (out / "work").write_text("no folder, so that no run can be made")
+        (out / "speed.csv").write_text("mine")
+        self.check_error(1, ["squish-box", "xpbd"], *self.command("a", "--only", "squish-box", "--methods", "xpbd"))
+        self.assertIn("squish-box", (out / "report.html").read_text())
+        self.assertEqual((out / "speed.csv").read_text(), "mine")
+
 
 if __name__ == "__main__":
     unittest.main()

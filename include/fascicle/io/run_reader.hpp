@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 
 namespace fascicle {
 
@@ -40,6 +41,7 @@ public:
     RecordingPtr read_recording(const JobControl& control = {}) const;
 
 private:
+    int place_of(int frame) const;
     void read_summary();
     void read_motion();
     void read_angles();
@@ -51,9 +53,9 @@ private:
     std::vector<std::vector<Attachment>> attachments_;
     std::vector<FibreModelPtr> fibres_;
     std::vector<int> frames_;
-    std::vector<std::vector<Pose>> poses_; ///< by frame, then bone
-    std::vector<double> angles_;           ///< by frame
-    std::vector<double> solve_seconds_;    ///< by frame
+    std::vector<std::vector<Pose>> poses_; ///< by place in frames_, then bone
+    std::map<int, double> angles_;         ///< rad, by number of the frame: all that metrics.csv has
+    std::vector<double> solve_seconds_;    ///< by place in frames_
     std::vector<std::string> notes_;       ///< that the run left
     double prepare_seconds_ = 0;
 };

@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ExportCommand {
-    std::string in, kind, out, units, frames = "0:";
+    std::string in, kind, out, units, frames;
     ExportOptions options;
     bool quiet = false;
 };
@@ -123,12 +123,35 @@ void settle_unit(Animation& animation, const ExportCommand& command, const std::
     std::cerr << "note: " << guess.sentence() << '\n';
 }
 
+/// An export never changes the run that it reads.
+void check_not_in_run(const fs::path& run, const output::ExportKindRow& row, const fs::path& target) {
+    if (!row.traits.folder) {
+        check_output_file(target, run.string(), {}, {});
+        if (std::string_view(row.key) == "metrics") { // what was run goes into a .json beside it
+            fs::path facts = target;
+            check_output_file(facts.replace_extension(".json"), run.string(), {}, {});
+        }
+        return;
+    }
+    std::error_code ignored;
+    const fs::path inside =
+        fs::weakly_canonical(target, ignored).lexically_relative(fs::canonical(run, ignored));
+    const std::string first = inside.empty() ? ".." : inside.begin()->string();
+    for (const char* own : {".", "", "frames", "fibres", "bones"})
+        if (first == own)
+            throw_error(target.string(), "the output would change the run that is read", "another folder",
+                        ErrorKind::usage);
+}
+
 int run(const ExportCommand& command) {
     if (command.in.empty() || command.out.empty())
         throw_error("export", "needs a run and a target", "export RUN --as KEY --out TARGET",
                     ErrorKind::usage);
     const output::ExportKindRow& row = kind_of(command);
-    const FrameRange range = read_frame_range(command.frames);
+    if (!command.frames.empty() && !row.traits.frames && !row.traits.one)
+        throw_error("--frames", "'" + std::string(row.key) + "' has all frames of the run",
+                    "it with a kind that has a choice, such as meshes", ErrorKind::usage);
+    const FrameRange range = read_frame_range(command.frames.empty() ? "0:" : command.frames);
     output::ExportRequest request;
     request.kind = row.key;
     request.target = output::with_extension(command.out, row.key);
@@ -137,10 +160,12 @@ int run(const ExportCommand& command) {
     request.morph_targets = command.options.morph_targets;
     request.up = command.options.up.empty() ? 'z' : command.options.up[0];
     request.threads = hardware_threads();
-    if (!row.traits.folder) { // before anything is read
+    if (is_run_folder(command.in)) { // before anything is read
+        check_not_in_run(command.in, row, request.target);
+    } else if (!row.traits.folder) {
         SourceOptions source;
         source.request.motion = command.in;
-        check_output_file(request.target, is_run_folder(command.in) ? command.in : "", source, {});
+        check_output_file(request.target, "", source, {});
     }
     if (!command.units.empty() && is_run_folder(command.in))
         throw_error("--units", "a run says its unit itself", "it with an animation of another program",
@@ -202,7 +227,7 @@ std::function<int()> add_export(CLI::App& app) {
              "What to write: " + keys + " (default: by the extension of --out)");
     add_text(app, "--out", command->out, "TARGET", "File, or folder for what has many files");
     add_text(app, "--frames", command->frames, "A:B[:STEP]",
-             "Frames; B may be left out (default: all); of mesh the first");
+             "Frames, where the kind has a choice; B may be left out (default: all); of mesh the first");
     add_choice(app, "--units", command->units, {"mm", "m"},
                "Unit of an animation (default: what the file says, else guessed from its size)");
     add_export_options(app, command->options);

@@ -94,6 +94,20 @@ void print(const reproduce::Results& results, const std::string& out) {
               << " shown without a verdict\nwritten to " << one_line(out) << "/report.html\n";
 }
 
+/// Of a run or a variant; empty when there is none. Parts whose data are not there are left out, and no failure.
+std::string first_failure(const reproduce::Results& results) {
+    for (const reproduce::ExperimentResult& result : results.experiments)
+        for (const reproduce::MethodRun& run : result.runs)
+            if (!run.done())
+                return result.experiment->key + ", " + run.method + ": " + run.failure;
+    for (const reproduce::SensitivityVariant& variant : results.sensitivity.variants)
+        if (!variant.failure.empty())
+            return results.sensitivity.experiment + ", " + variant.key + ": " + variant.failure;
+    if (!results.speed.failures.empty())
+        return "speed, " + results.speed.failures.front();
+    return {};
+}
+
 int run(ReproduceCommand& command) {
     if (command.out.empty())
         throw_error("reproduce", "no output folder", "--out DIR", ErrorKind::usage);
@@ -128,13 +142,18 @@ int run(ReproduceCommand& command) {
     write_file(staged.place() / "timings.json", reproduce::timings_json(results));
     reproduce::write_tables(results, staged.place());
     const std::set<std::string> written = names_in(staged.place());
+    const bool after_a_report =
+        std::filesystem::is_regular_file(std::filesystem::path(command.out) / "results.json", error);
     staged.commit(results.inputs);
     // A table of an earlier report that this one has no rows for would pass for one of this.
-    for (const std::string& name : names_in(command.out))
-        if (reproduce::is_report_file(name) && !written.contains(name))
-            std::filesystem::remove(std::filesystem::path(command.out) / name, error);
+    if (after_a_report)
+        for (const std::string& name : names_in(command.out))
+            if (reproduce::is_report_file(name) && !written.contains(name))
+                std::filesystem::remove(std::filesystem::path(command.out) / name, error);
     if (!command.quiet)
         print(results, command.out);
+    if (const std::string failure = first_failure(results); !failure.empty())
+        throw_error({}, "not every run of the report could be made: " + failure);
     return 0;
 }
 

@@ -183,7 +183,9 @@ void OsimDialog::draw_stand_ins(EditorContext& context) {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
     ImGui::BeginDisabled(!choice_.preview());
     if (ImGui::BeginCombo("##stand_in", "Add a muscle that has no mesh...")) {
-        for (const OsimPreview::MuscleRow& muscle : choice_.preview()->muscles) {
+        // A list that is open stays open while what it shows is read anew, or cannot be.
+        const std::vector<OsimPreview::MuscleRow> none;
+        for (const OsimPreview::MuscleRow& muscle : choice_.preview() ? choice_.preview()->muscles : none) {
             const auto has_mesh = [&](const std::string& body) {
                 return std::any_of(choice_.preview()->bodies.begin(), choice_.preview()->bodies.end(),
                                    [&](const auto& b) { return b.name == body && b.meshes_found > 0; }) ||

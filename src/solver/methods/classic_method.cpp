@@ -16,7 +16,7 @@ SolverMethod classic_method() {
             {{"solver.frame_time", "classic takes 1 ms an inner loop"},
              {"solver.kernel", "only the method xpbd uses it"},
              {"solver.coarse", "only the method xpbd uses it"},
-             {"solver.tone", "only the method xpbd uses it"},
+             {"solver.tone", "the published method has none"},
              {"contact.", "classic stops a vertex where it is inside a bone, without distance grids"},
              {"attachment.distance_mm", "classic fixes what lies inside a bone at the start"}},
             {{"classic.equations",

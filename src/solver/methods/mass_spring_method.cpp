@@ -17,7 +17,7 @@ SolverMethod mass_spring_method() {
           "a step is as long as Janak's, 0.4, and there are mass-spring.steps of them a frame"},
          {"solver.kernel", "only the method xpbd uses it"},
          {"solver.coarse", "only the method xpbd uses it"},
-         {"solver.tone", "only the method xpbd uses it"},
+         {"solver.tone", "its springs do not shorten by themselves"},
          {"solver.stiffness",
           "springs alone hold the shape: a common stiffness would only change how fast it settles"},
          {"solver.bending", "springs inside hold the shape; the surface has no stiffness of its own"},

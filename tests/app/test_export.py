@@ -1,0 +1,67 @@
+"""fascicle export of a run: what it must not touch, and runs that have not all frames as files."""
+import csv
+import json
+import unittest
+
+from program import ProgramTest, file_hashes
+from small_scene import write_scene
+
+
+class ExportTest(ProgramTest):
+    def simulate(self, name, *more):
+        source, _ = write_scene(self.folder / "scene")
+        self.check_done("simulate", *source, "--export", "vtp", "--threads", "1", "--quiet", "--out", name, *more)
+
+    def test_the_run_that_is_read_is_never_changed(self):
+        self.simulate("a")
+        before = file_hashes(self.folder / "a")
+        for kind, out in (("metrics", "a/summary.csv"), ("metrics", "a/metrics.csv"), ("json", "a/summary.json"), ("run", "a"),
+                          ("run", "a/."), ("meshes", "a"), ("obj", "a"), ("fibres", "a"), ("meshes", "a/frames"),
+                          ("pc2", "scene/../a/bones"), ("fibres", "a/fibres/more")):
+            words = ["another name"] if "." in out[2:] and not out.endswith("/.") and ".." not in out else ["another folder"]
+            self.check_error(2, words, "export", "a", "--as", kind, "--out", out)
+            self.assertEqual(file_hashes(self.folder / "a"), before, (kind, out))
+        self.check_done("export", "a", "--as", "obj", "--out", "a/obj")  # as simulate --export leaves it
+        self.assertEqual({**file_hashes(self.folder / "a"), **before}, file_hashes(self.folder / "a"))
+
+    def test_frames_are_refused_where_there_is_no_choice(self):
+        self.simulate("a")
+        for kind in ("metrics", "json", "run", "osim"):
+            self.check_error(2, ["--frames", kind], "export", "a", "--as", kind, "--out", "x", "--frames", "0:4")
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["a", "scene"])
+
+    def test_a_thinned_run_is_written_as_a_run(self):
+        fibres = ("--set", "fibres.method=kukacka", "--set", "fibres.count=4")
+        self.simulate("whole", *fibres)
+        self.simulate("thin", "--every", "5", *fibres)
+        self.check_done("export", "thin", "--as", "run", "--out", "again")
+        summary = json.loads((self.folder / "again" / "summary.json").read_text())
+        self.assertEqual(summary["vtp_frames"], [0, 5, 10, 12])
+        for frame in summary["vtp_frames"]:  # the fibres of that frame, not of the one in its place
+            name = f"fibres/strap.{frame:04d}.vtp"
+            self.assertEqual(self.lengths("again", name), self.lengths("whole", name), frame)
+        with open(self.folder / "again" / "motion.csv", newline="") as file:
+            self.assertEqual({int(row["frame"]) for row in csv.DictReader(file)}, {0, 5, 10, 12})
+        # What was written is a run: read, written once more, the same.
+        self.check_done("export", "again", "--as", "run", "--out", "third")
+        for name in ("motion.csv", "frames/strap.0010.vtp"):
+            self.assertEqual((self.folder / "third" / name).read_bytes(), (self.folder / "again" / name).read_bytes(), name)
+
+    def lengths(self, run, name):
+        """Numbers of the array length_mm, to 6 digits: the rest is bound to the surface anew."""
+        text = (self.folder / run / name).read_text()
+        begin = text.index(">", text.index('Name="length_mm"')) + 1
+        return [f"{float(x):.6g}" for x in text[begin:text.index("<", begin)].split()]
+
+    def test_a_frame_without_its_rows_is_told(self):
+        self.simulate("a", "--every", "5")
+        for table in ("motion.csv", "metrics.csv"):
+            path = self.folder / "a" / table
+            lines = path.read_text().splitlines(keepends=True)
+            path.write_text("".join(line for line in lines if not line.startswith("5,")))
+            self.check_error(1, [table, "frame 5"], "export", "a", "--as", "obj", "--out", "x")
+            path.write_text("".join(lines))
+
+
+if __name__ == "__main__":
+    unittest.main()
