@@ -125,7 +125,7 @@ void RunManager::restart() {
 }
 
 void RunManager::compute_on() {
-    if (stopped_ && !running() && !outdated_ && recording_ != nullptr && retired_.empty() &&
+    if (!running() && !outdated_ && recording_ != nullptr && retired_.empty() &&
         recording_->state() == RunState::cancelled)
         restart();
 }

@@ -1,6 +1,7 @@
 // The dialog that repairs the mesh of a bone or muscle, and the offer to repair one that is being loaded.
 #include "editor/dialogs/dialogs.hpp"
 #include "editor/driver.hpp"
+#include "fascicle/document/actions/repair_actions.hpp"
 #include "fascicle/geometry/volume.hpp"
 #include "fascicle/io/mesh_file.hpp"
 #include "render/osmesa_context.hpp"
@@ -94,6 +95,24 @@ TEST_CASE("The selected muscle is repaired in one step, attachments go with it",
     d.key(key_z, {.ctrl = true});
     CHECK(d.document().scene().muscles[0].mesh == before);
     CHECK(d.document().scene().muscles[0].attachments[0].vertices.size() == 4);
+}
+
+TEST_CASE("The repair of a mesh that is there no longer replaces nothing, and says so",
+          "[editor][ui][repair]") {
+    Driver d(scene_with(two_boxes()));
+    d.frame(3);
+    open(d);
+    const auto other = std::make_shared<const TriMesh>(test::sphere(12, 2));
+    actions::replace_muscle_mesh(
+        d.document(), 0, other,
+        std::vector<VertexOrigin>(
+            other->positions.size())); // as when its file is read anew beneath the dialog
+    d.frame(3);
+    d.click("repair/apply");
+    d.frame(3);
+    CHECK(d.document().scene().muscles[0].mesh == other);
+    CHECK(steps(d) == 2);
+    CHECK(d.editor().log().messages().back().text.find("nothing was replaced") != std::string::npos);
 }
 
 TEST_CASE("Choices of the repair dialog are tried at once, and Cancel leaves everything",

@@ -82,6 +82,23 @@ TEST_CASE("A stopped run is not started again by itself", "[editor][runs]") {
     CHECK(b.started.size() == 3);
 }
 
+TEST_CASE("A stopped run goes on where frames are asked for, also after a change that is none of its problem",
+          "[editor][runs]") {
+    Bench b;
+    b.wait(0.1);
+    b.started[0]->compute(3);
+    b.runs.compute_on();
+    CHECK(b.started.size() == 1); // it runs
+    b.runs.cancel();
+    b.started[0]->recording()->finish(RunState::cancelled);
+    actions::rename_muscle(b.document, 0, "other");
+    b.wait(1);
+    CHECK(b.started.size() == 1);
+    b.runs.compute_on();
+    b.wait(0.1);
+    CHECK(b.started.size() == 2);
+}
+
 TEST_CASE("Undo before the new run begins makes the old frames valid again", "[editor][runs]") {
     Bench b;
     b.wait(0.1);

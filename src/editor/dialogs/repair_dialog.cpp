@@ -127,8 +127,13 @@ void RepairDialog::apply(EditorContext& context) {
     const Scene& scene = context.document.scene();
     const bool bone = object_.kind == Selection::Kind::bone;
     const int index = bone ? scene.bone_index(object_.name) : scene.muscle_index(object_.name);
-    if (index < 0)
+    const auto now = static_cast<std::size_t>(index);
+    if (index < 0 || (bone ? scene.bones[now].mesh : scene.muscles[now].mesh) != input_) {
+        // Another scene was opened, or its file read anew, beneath the dialog.
+        context.log.add(Severity::warning,
+                        "The mesh of " + object_.name + " is another one now; nothing was replaced.");
         return;
+    }
     const auto carried = (bone ? actions::replace_bone_mesh : actions::replace_muscle_mesh)(
         context.document, index, outcome_->after.mesh, outcome_->result.origins);
     std::string text = std::string(bone ? "Bone " : "Muscle ") + object_.name + " repaired";
