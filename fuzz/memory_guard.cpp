@@ -18,8 +18,8 @@ namespace {
 
 std::atomic<std::ptrdiff_t> live = 0, peak = 0;
 
-/// Not in one step, which takes a tenth of the time of some targets: readers have one thread, and with more the sums would
-/// only be less exact.
+/// Not in one step, which shows in the time of targets that allocate much: readers have one thread, and with more the sums
+/// would only be less exact.
 void add(std::ptrdiff_t bytes) {
     const std::ptrdiff_t now = live.load(std::memory_order_relaxed) + bytes;
     live.store(now, std::memory_order_relaxed);

@@ -8,6 +8,8 @@
 
 namespace fascicle::fuzz {
 
+constexpr std::size_t kB = 1024, MB = 1024 * kB;
+
 struct Target {
     std::string name;
     /// Reads the bytes and checks what came of them; an abort is a finding. Must leave nothing behind: no file, no memory.

@@ -1,6 +1,7 @@
 #pragma once
 // The rows of every file of targets/, a group each. `targets()` of target.hpp joins them (all_targets.cpp), or is one of them:
 // libFuzzer looks at all counters of a program after each execution, so that it has a program for each group.
+// A new group: a file of targets/, a line here, in all_targets.cpp and in CMakeLists.txt.
 
 #include "fuzz/target.hpp"
 

@@ -10,12 +10,12 @@
 
 namespace fascicle::fuzz {
 
-/// At most 16 pieces; what is beyond is left away.
-inline std::vector<std::string> words_of(std::string_view bytes, char separator) {
-    constexpr std::size_t most_words = 16;
+/// A word a line, at most 64; what is beyond is left away.
+inline std::vector<std::string> words_of(std::string_view bytes) {
+    constexpr std::size_t most_words = 64;
     std::vector<std::string> words;
     while (words.size() < most_words) {
-        const std::size_t end = std::min(bytes.find(separator), bytes.size());
+        const std::size_t end = std::min(bytes.find('\n'), bytes.size());
         words.emplace_back(bytes.substr(0, end));
         if (end == bytes.size())
             break;

@@ -137,7 +137,6 @@ void fuzz_series(std::string_view bytes) {
 } // namespace
 
 std::vector<Target> animation_targets() {
-    constexpr std::size_t kB = 1024, MB = 1024 * kB;
     return {
         // glTF may say much with little: up to a million points and numbers are trusted to any file.
         {"animation_glb", fuzz_glb, 4 * kB, "mesh_glb", "animation_glb", 400, 400 * MB},

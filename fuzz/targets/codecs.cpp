@@ -79,7 +79,6 @@ void fuzz_png(std::string_view bytes) {
 } // namespace
 
 std::vector<Target> codec_targets() {
-    constexpr std::size_t kB = 1024, MB = 1024 * kB;
     return {
         {"mesh_codec", fuzz_mesh_codec, 1 * kB, "mesh_codec", "mesh_codec", 400, MB},
         {"base64", fuzz_base64, 256, "", "base64", 100, MB},

@@ -10,7 +10,7 @@ namespace {
 
 /// A word a line.
 void fuzz_command_line(std::string_view bytes) {
-    std::vector<std::string> words = words_of(bytes, '\n');
+    std::vector<std::string> words = words_of(bytes);
     words.insert(words.begin(), "fascicle");
     std::vector<char*> argv;
     for (std::string& word : words)
@@ -23,7 +23,6 @@ void fuzz_command_line(std::string_view bytes) {
 } // namespace
 
 std::vector<Target> command_line_targets() {
-    constexpr std::size_t MB = 1024 * 1024;
     return {
         {"command_line", fuzz_command_line, 512, "command_line", "command_line", 4000, 4 * MB},
     };

@@ -47,7 +47,6 @@ void fuzz_recent_projects(std::string_view bytes) {
 } // namespace
 
 std::vector<Target> json_targets() {
-    constexpr std::size_t kB = 1024, MB = 1024 * kB;
     return {
         {"fibre_template", fuzz_fibre_template, 2 * kB, "fibre_template", "fibre_template", 400, MB},
         {"settings", fuzz_settings, 1 * kB, "json", "settings", 400, MB},

@@ -121,7 +121,7 @@ void fuzz_xml(std::string_view bytes) {
 
 std::vector<Target> mesh_targets() {
     // Packed data of VTP and what glTF says with little: a file of any size is trusted with 4 million numbers.
-    constexpr std::size_t kB = 1024, MB = 1024 * kB, packed = 400 * MB;
+    constexpr std::size_t packed = 400 * MB;
     std::vector<Target> rows;
     for (const MeshFormat& format : mesh_formats()) {
         const std::string name = "mesh_" + format.extensions.at(0).substr(1);

@@ -57,7 +57,6 @@ void fuzz_osim(std::string_view bytes) {
 } // namespace
 
 std::vector<Target> opensim_targets() {
-    constexpr std::size_t kB = 1024, MB = 1024 * kB;
     return {
         {"osim", fuzz_osim, 8 * kB, "osim", "osim", 400, 4 * MB},
     };

@@ -54,7 +54,7 @@ void fuzz_options(std::string_view bytes) {
 void fuzz_parameters(std::string_view bytes) {
     static const ParamSet defaults = default_parameters();
     ParamSet parameters = defaults;
-    for (const std::string& word : words_of(bytes, '\n'))
+    for (const std::string& word : words_of(bytes))
         check_usage([&] {
             const std::string method = "solver.method=";
             if (word.starts_with(method))
@@ -101,7 +101,6 @@ void fuzz_lesson(std::string_view bytes) {
 } // namespace
 
 std::vector<Target> option_targets() {
-    constexpr std::size_t kB = 1024, MB = 1024 * kB;
     return {
         {"preset", fuzz_preset, 2 * kB, "preset", "preset", 400, MB},
         {"lesson", fuzz_lesson, 4 * kB, "lesson", "lesson", 400, MB},

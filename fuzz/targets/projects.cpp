@@ -104,7 +104,6 @@ void fuzz_project(std::string_view bytes) {
 } // namespace
 
 std::vector<Target> project_targets() {
-    constexpr std::size_t kB = 1024, MB = 1024 * kB;
     return {
         {"project", fuzz_project, 8 * kB, "project", "project", 400, 4 * MB},
     };

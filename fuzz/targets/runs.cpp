@@ -67,7 +67,6 @@ void fuzz_run_folder(std::string_view bytes) {
 } // namespace
 
 std::vector<Target> run_targets() {
-    constexpr std::size_t kB = 1024, MB = 1024 * kB;
     return {
         {"run_folder", fuzz_run_folder, 8 * kB, "run_folder", "run_folder", 400,
          400 * MB}, // packed data of VTP

@@ -163,7 +163,6 @@ void fuzz_storage(std::string_view bytes) {
 } // namespace
 
 std::vector<Target> scene_targets() {
-    constexpr std::size_t kB = 1024, MB = 1024 * kB;
     return {
         {"area_mesh", fuzz_area_mesh, 4 * kB, "mesh_vtp", "area_mesh", 400, 400 * MB}, // packed data of VTP
         {"attachment_areas", fuzz_attachment_areas, 2 * kB, "attachment_csv", "attachment_csv", 400, 4 * MB},

@@ -95,7 +95,6 @@ void fuzz_attachment_csv(std::string_view bytes) {
 } // namespace
 
 std::vector<Target> table_targets() {
-    constexpr std::size_t kB = 1024, MB = 1024 * kB;
     return {
         {"csv", fuzz_csv, 1 * kB, "csv", "csv", 400, MB},
         {"attachment_csv", fuzz_attachment_csv, 2 * kB, "attachment_csv", "attachment_csv", 400, MB},

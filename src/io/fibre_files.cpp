@@ -3,6 +3,7 @@
 #include "fascicle/base/assert.hpp"
 #include "fascicle/io/csv.hpp"
 #include "fascicle/io/files.hpp"
+#include "io/own_table.hpp"
 #include "io/run_files.hpp"
 
 #include <algorithm>
@@ -66,6 +67,10 @@ void write_fibre_table(const std::filesystem::path& path, const std::vector<cons
             }
         }
     file.commit();
+}
+
+void remove_fibre_table(const std::filesystem::path& path) {
+    io::remove_own_table(path, "frame,muscle,fibre,angle_deg,");
 }
 
 MeshData fibre_lines(const FibreSeries& series, int frame, const FibreSet& fibres) {

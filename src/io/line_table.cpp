@@ -2,6 +2,7 @@
 
 #include "fascicle/io/csv.hpp"
 #include "fascicle/io/files.hpp"
+#include "io/own_table.hpp"
 
 #include <numbers>
 
@@ -35,11 +36,7 @@ void write_line_table(const std::filesystem::path& path, const LineSeries& serie
 }
 
 void remove_line_table(const std::filesystem::path& path) {
-    const std::string_view start = header; // columns may follow
-    if (read_head(path, start.size()) != start)
-        return;
-    std::error_code ignored;
-    std::filesystem::remove(path, ignored);
+    io::remove_own_table(path, header);
 }
 
 } // namespace fascicle

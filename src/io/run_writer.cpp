@@ -122,10 +122,12 @@ void RunWriter::Impl::remove_stale(bool after_a_run, const std::set<fs::path>& w
             stale.push_back(io::series_file(muscle.name));
     }
     if (after_a_run)
-        stale.insert(stale.end(), {"fibres.csv", "rest.png", "flexed.png", "last.png", "film_strip.png"});
+        stale.insert(stale.end(), {"rest.png", "flexed.png", "last.png", "film_strip.png"});
     for (const fs::path& file : stale)
         if (written.count(file) == 0)
             fs::remove(target / file, ignored);
+    if (written.count("fibres.csv") == 0)
+        remove_fibre_table(target / "fibres.csv");
     if (written.count("lines.csv") == 0)
         remove_line_table(target / "lines.csv");
 }

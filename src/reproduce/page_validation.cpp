@@ -198,7 +198,7 @@ private:
 
     void speed() {
         const SpeedResult& s = results_.speed;
-        if (s.rows.empty())
+        if (s.rows.empty() && s.failures.empty())
             return;
         html_ += "<h2>Speed</h2>\n<p>Frames a second of solving alone, the median over the first frames of "
                  "the motion. Table 1 "
@@ -231,6 +231,10 @@ private:
                            page_.cell(p.frames_per_second, 4), page_.cell(p.program_frames_per_second)},
                           "td", 2);
         page_.end_table();
+        for (const std::string& failure : s.failures)
+            html_ += "<p>Not measured: " + xml_escaped(failure) + "</p>\n";
+        if (s.rows.empty())
+            return;
         const Finding finding = judge_speed(s);
         page_.plots(speed_plots(s), {finding});
     }

@@ -96,6 +96,30 @@ const Finding* finding(const ExperimentResult& result, const std::string& about)
 
 } // namespace
 
+TEST_CASE("reproduce: variants and speeds that failed are told, also where others are held against them",
+          "[reproduce][unit]") {
+    Results results = made_results();
+    SensitivityResult& s = results.sensitivity;
+    s.missing.clear();
+    s.experiment = "iliacus";
+    s.method = "xpbd";
+    s.quantities = {"volume ratio"};
+    SensitivityVariant given, base, half;
+    given.key = "as given";
+    given.values = {1.0};
+    base.key = "remeshed evenly";
+    base.failure = "no space on the disk";
+    half.key = "half the triangles";
+    half.base = 1;
+    half.values = {0.75};
+    s.variants = {given, base, half};
+    results.speed.failures = {"box, classic: no <memory>"};
+    const std::string page = report_page(results, "2026-01-02 03:04");
+    CHECK(page.find("no space on the disk") != std::string::npos);
+    CHECK(page.find(">0.75</td>") != std::string::npos); // nothing to hold it against
+    CHECK(page.find("Not measured: box, classic: no &lt;memory&gt;") != std::string::npos);
+}
+
 TEST_CASE("reproduce: the page is well-formed XML without scripts or references", "[reproduce][unit]") {
     const std::string page = report_page(made_results(), "2026-01-02 03:04");
     pugi::xml_document document;

@@ -89,6 +89,9 @@ TEST_CASE("reproduce: a finished run is used again, a damaged one is made again"
     CHECK(work.ensure(request, {}).reused);
     CHECK(stamp(first.folder) == made);
 
+    write_file(first.folder / "frame.png", "a user's own, which is no damage");
+    CHECK(work.has(request));
+
     SECTION("a byte of a table is changed") {
         std::string text = read_file(first.folder / "metrics.csv");
         text[text.size() / 2] = text[text.size() / 2] == '1' ? '2' : '1';

@@ -14,6 +14,9 @@ namespace fascicle {
 /// frames (muscles without fibres have no series). The file is complete or not there; Error when it cannot be written.
 void write_fibre_table(const std::filesystem::path& file, const std::vector<const FibreSeries*>& series);
 
+/// Removes a table that write_fibre_table wrote; another file of that name is left alone.
+void remove_fibre_table(const std::filesystem::path& path);
+
 /// The polylines of a frame, points in scene units. Per line: fibre_id (from 0) and the keys of fibre_quantities(); per
 /// point: stretch (length against rest there) and tangent (3). The series has the frame; `fibres`: its points, the ones
 /// that were appended. An array with a value that is not defined is left out: readers of ascii VTP stop at "nan".

@@ -127,8 +127,8 @@ void RepairDialog::apply(EditorContext& context) {
     const Scene& scene = context.document.scene();
     const bool bone = object_.kind == Selection::Kind::bone;
     const int index = bone ? scene.bone_index(object_.name) : scene.muscle_index(object_.name);
-    const auto now = static_cast<std::size_t>(index);
-    if (index < 0 || (bone ? scene.bones[now].mesh : scene.muscles[now].mesh) != input_) {
+    const auto i = static_cast<std::size_t>(index);
+    if (index < 0 || (bone ? scene.bones[i].mesh : scene.muscles[i].mesh) != input_) {
         // Another scene was opened, or its file read anew, beneath the dialog.
         context.log.add(Severity::warning,
                         "The mesh of " + object_.name + " is another one now; nothing was replaced.");
