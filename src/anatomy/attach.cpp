@@ -90,8 +90,8 @@ AttachRules attach_rules(double unit_mm) {
     return rules;
 }
 
-std::vector<int> attach_by_outline(const TriMesh& muscle, const Points& outline, const BoneDistance& distance,
-                                   const AttachRules& rules) {
+std::vector<int> attach_by_outline(const TriMesh& muscle, const Points& outline,
+                                   const DistanceToBone& distance, const AttachRules& rules) {
     if (outline.empty())
         return {};
     const bool open = outline.size() < 3 || (outline.front() - outline.back()).norm() > rules.open_gap;
@@ -115,7 +115,7 @@ std::vector<int> attach_by_outline(const TriMesh& muscle, const Points& outline,
 }
 
 std::vector<int> attach_by_distance(const TriMesh& muscle, const MeshTopology& topology,
-                                    const BoneDistance& distance, double limit) {
+                                    const DistanceToBone& distance, double limit) {
     std::vector<char> near(muscle.positions.size(), 0);
     for (std::size_t i = 0; i < near.size(); ++i)
         near[i] = topology.vertex_component(static_cast<int>(i)) >= 0 &&

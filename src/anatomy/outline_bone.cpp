@@ -7,7 +7,7 @@
 namespace fascicle {
 
 OutlineBone find_outline_bone(const AttachmentOutline& outline, const std::vector<std::string>& names,
-                              const std::vector<BoneDistance>& distances, double on_surface, double far) {
+                              const std::vector<DistanceToBone>& distances, double on_surface, double far) {
     FASCICLE_ASSERT(names.size() == distances.size());
     OutlineBone best;
     best.mean_distance = std::numeric_limits<double>::infinity();

@@ -20,7 +20,7 @@ std::vector<AttachmentArea> areas_from_outlines(const Scene& scene, const Muscle
     const double unit_mm = millimetres_per_unit(scene.unit);
     const OutlineAreaRules rules = outline_area_rules(unit_mm);
     std::vector<std::string> names;
-    std::vector<BoneDistance> distances;
+    std::vector<DistanceToBone> distances;
     for (const Bone& bone : scene.bones) {
         names.push_back(bone.name);
         distances.push_back([&surfaces, mesh = bone.mesh](const Vec3& p, double limit) {

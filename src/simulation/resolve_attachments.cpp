@@ -82,7 +82,7 @@ void attach_by_nearness(const Scene& scene, const Muscle& muscle, const MeshTopo
 OutlineBone find_outline_bone(const Scene& scene, const AttachmentOutline& outline,
                               const std::vector<BoneQuery>& bones) {
     std::vector<std::string> names;
-    std::vector<BoneDistance> distances;
+    std::vector<DistanceToBone> distances;
     for (std::size_t b = 0; b < bones.size(); ++b) {
         names.push_back(scene.bones[b].name);
         distances.push_back(bones[b].distance);
@@ -119,8 +119,9 @@ std::vector<Attachment> resolve_attachments(const Scene& scene, const Muscle& mu
             notes.push_back(what + " follows bone '" + bone_name + "', " +
                             length_text(target.mean_distance, unit_mm) + " away on average");
         const auto& distance = bones[static_cast<std::size_t>(target.bone)].distance;
-        const std::vector<int> vertices = attach_by_outline(
-            *muscle.mesh, outline.points, target.on_bone ? distance : BoneDistance{}, attach_rules(unit_mm));
+        const std::vector<int> vertices =
+            attach_by_outline(*muscle.mesh, outline.points, target.on_bone ? distance : DistanceToBone{},
+                              attach_rules(unit_mm));
         if (vertices.empty())
             notes.push_back(what + " reaches no vertex of the muscle");
         add_vertices(attachments, taken, outline.kind, target.bone, vertices);

@@ -9,7 +9,7 @@ namespace fascicle {
 
 /// What resolving needs to know of each bone; one entry per bone of the scene.
 struct BoneQuery {
-    BoneDistance distance;
+    DistanceToBone distance;
     bool moves = false;
     std::function<const SurfaceGraph&()> surface = {}; ///< of the bone's mesh; empty: made when needed
 };

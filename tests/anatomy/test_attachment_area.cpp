@@ -244,8 +244,8 @@ TEST_CASE("an area and its outline attach nearly the same vertices", "[anatomy][
 }
 
 TEST_CASE("an outline's bone: by name, else by nearness", "[anatomy][area]") {
-    const std::vector<BoneDistance> distances{[](const Vec3& p, double) { return std::abs(p.z()); },
-                                              [](const Vec3& p, double) { return std::abs(p.z() - 10); }};
+    const std::vector<DistanceToBone> distances{[](const Vec3& p, double) { return std::abs(p.z()); },
+                                                [](const Vec3& p, double) { return std::abs(p.z() - 10); }};
     const AttachmentOutline outline{AttachmentKind::origin, "ilium", circle(Vec3(0, 0, 9), 3, 12)};
     CHECK(find_outline_bone(outline, {"a", "b"}, distances, 3, 1e6).bone == 1);
     CHECK(find_outline_bone(outline, {"a", "b"}, distances, 3, 1e6).on_bone);

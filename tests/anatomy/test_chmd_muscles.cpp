@@ -131,7 +131,7 @@ TEST_CASE("CHMD: gluteus maximus from its five superficial fibres", "[anatomy][c
             const int bone = scene.bone_index(outline.bone);
             REQUIRE(bone >= 0);
             const TriangleBvh bvh(*scene.bones[static_cast<std::size_t>(bone)].mesh);
-            const BoneDistance distance = [&](const Vec3& p, double limit) {
+            const DistanceToBone distance = [&](const Vec3& p, double limit) {
                 return std::sqrt(bvh.closest(p, limit).squared_distance);
             };
             attachments.push_back(

@@ -20,7 +20,7 @@ test::FibreCase real_case(const std::filesystem::path& data, const std::string& 
     muscle.problem.segments = 15;
     for (const AttachmentOutline& outline :
          read_attachment_file(data / "lhdl" / (name + "_attachments.csv"), LengthUnit::millimetre)) {
-        BoneDistance distance; // none: the sacrum is no bone of the scene
+        DistanceToBone distance; // none: the sacrum is no bone of the scene
         if (outline.bone == "femur" || outline.bone == "right_iliac") {
             const auto bone = std::make_shared<TriangleBvh>(
                 read_mesh_file(data / "lhdl" / (outline.bone == "femur" ? "femur.vtk" : "pelvis.obj")).mesh);

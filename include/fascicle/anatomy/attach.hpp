@@ -11,7 +11,7 @@ namespace fascicle {
 
 /// Distance of a point to a bone's surface, not negative; any value above `limit` may be returned as
 /// infinity.
-using BoneDistance = std::function<double(const Vec3& p, double limit)>;
+using DistanceToBone = std::function<double(const Vec3& p, double limit)>;
 
 /// Lengths of the rules, all in scene units.
 struct AttachRules {
@@ -29,12 +29,12 @@ AttachRules attach_rules(double unit_mm);
 /// that project (on the outline's principal plane) into it or within rules.border of its border; an open one
 /// those within rules.line of the line. Without a bone (`distance` empty): within rules.fan of the fan of
 /// triangles over the outline. An outline of fewer than 3 points counts as open; an empty one takes nothing.
-std::vector<int> attach_by_outline(const TriMesh& muscle, const Points& outline, const BoneDistance& distance,
-                                   const AttachRules& rules);
+std::vector<int> attach_by_outline(const TriMesh& muscle, const Points& outline,
+                                   const DistanceToBone& distance, const AttachRules& rules);
 
 /// The largest patch (connected by edges, most vertices, then lowest index) of vertices within `limit` of a
 /// bone.
 std::vector<int> attach_by_distance(const TriMesh& muscle, const MeshTopology& topology,
-                                    const BoneDistance& distance, double limit);
+                                    const DistanceToBone& distance, double limit);
 
 } // namespace fascicle

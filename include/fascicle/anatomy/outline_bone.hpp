@@ -16,6 +16,6 @@ struct OutlineBone {
 /// bone. on_surface: largest mean distance of an outline on its bone, far: any distance beyond it counts as infinite (both in
 /// scene units).
 OutlineBone find_outline_bone(const AttachmentOutline& outline, const std::vector<std::string>& names,
-                              const std::vector<BoneDistance>& distances, double on_surface, double far);
+                              const std::vector<DistanceToBone>& distances, double on_surface, double far);
 
 } // namespace fascicle
