@@ -108,7 +108,16 @@ void ParamSet::reset(std::string_view key) {
     edited_[i] = false;
 }
 
-void ParamSet::set_defaults(const std::map<std::string, double>& defaults) {
+void ParamSet::keep_defaults(const std::string& method, Defaults defaults) {
+    kept_[method] = std::move(defaults);
+}
+
+const ParamSet::Defaults* ParamSet::kept_defaults(const std::string& method) const {
+    const auto it = kept_.find(method);
+    return it == kept_.end() ? nullptr : &it->second;
+}
+
+void ParamSet::set_defaults(const Defaults& defaults) {
     for (std::size_t i = 0; i < values_.size(); ++i) {
         const ParamRow& row = table_->rows()[i];
         const auto it = defaults.find(row.key);

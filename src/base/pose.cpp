@@ -7,8 +7,12 @@
 
 namespace fascicle {
 
+bool has_direction(const Vec3& v) {
+    return std::isnormal(v.squaredNorm());
+}
+
 Pose rotation_about(const Vec3& centre, const Vec3& axis, double angle_rad) {
-    FASCICLE_ASSERT(axis.norm() > 0.0);
+    FASCICLE_ASSERT(has_direction(axis));
     Pose pose;
     pose.rotation = Eigen::AngleAxisd(angle_rad, axis.normalized()).toRotationMatrix();
     pose.translation = centre - pose.rotation * centre;

@@ -2,6 +2,7 @@
 
 #include "fascicle/base/error.hpp"
 #include "fascicle/base/param_table.hpp"
+#include "fascicle/base/pose.hpp"
 #include "fascicle/base/suggest.hpp"
 #include "fascicle/io/csv.hpp"
 #include "fascicle/motion/joint_track.hpp"
@@ -108,10 +109,9 @@ JointTurn read_turn(const CsvReader& csv, const Columns& columns) {
         turn.centre[k] = columns.centre_scale * csv.number(columns.line[static_cast<std::size_t>(k)]);
         turn.axis[k] = csv.number(columns.line[static_cast<std::size_t>(3 + k)]);
     }
-    const double length = turn.axis.stableNorm();
-    if (!(length > 0.0) || !std::isfinite(length))
+    if (!has_direction(turn.axis))
         csv.fail("the axis has no direction", "ax,ay,az other than 0,0,0");
-    turn.axis /= length;
+    turn.axis.normalize();
     const double degrees = csv.number(columns.angle);
     if (std::abs(degrees) > most_degrees)
         csv.fail("the angle is " + csv.cell(columns.angle), "-3600 to 3600 degrees");

@@ -154,10 +154,16 @@ void ProjectReader::make_embedded(Scene& scene) {
         add("muscle ", m.name, {m.mesh, m.surface_fibres});
     if (version_ == 1) // did not write them
         scene.parameters = made.parameters;
+    else
+        scene.parameters.keep_defaults_of(
+            made.parameters); // those of a method other than the one in force are not in the file
 }
 
 fs::path ProjectReader::resolved(const JsonFields& entry) const {
-    const fs::path path = (folder_ / entry.text("path")).lexically_normal();
+    const std::string name = entry.text("path");
+    if (name.empty())
+        entry.fail("path", "missing", "the path of a file");
+    const fs::path path = (folder_ / name).lexically_normal();
     const auto it = located_.find(path);
     return it == located_.end() ? path : it->second;
 }

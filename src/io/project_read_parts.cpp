@@ -1,5 +1,7 @@
 // The parts of a project beside its meshes: attachments, motion, parameters.
 #include "fascicle/base/error.hpp"
+
+#include "fascicle/base/pose.hpp"
 #include "io/project_json.hpp"
 
 #include <Eigen/LU>
@@ -109,7 +111,7 @@ void ProjectReader::timeline(const JsonFields& entry, Scene& scene) {
     if (entry.has("hinge")) {
         const JsonFields hinge = entry.object("hinge");
         timeline.hinge = Hinge{hinge.vector("centre"), hinge.vector("axis")};
-        if (const double length = timeline.hinge->axis.norm(); !(length > 0 && std::isfinite(length)))
+        if (!has_direction(timeline.hinge->axis))
             hinge.fail("axis", "has no direction", "an axis other than 0,0,0");
     }
     read_keys(entry.objects("angles"), timeline.angles,
@@ -167,10 +169,10 @@ void ProjectReader::parameters(const JsonFields& entry, Scene& scene) {
             if (row.kind != ParamKind::choice)
                 defaults[row.key] = given.number(row.key.c_str(), scene.parameters.default_value(row.key));
         naming_the_file("parameter_defaults", [&] {
-            ParamSet checked = scene.parameters; // set_defaults() takes anything
+            ParamSet checked = scene.parameters; // bring_defaults() takes anything
             for (const auto& [key, value] : defaults)
                 checked.set(key, value);
-            scene.parameters.set_defaults(defaults);
+            bring_defaults(scene.parameters, defaults);
         });
     }
     for (const auto& item : entry.json().items()) {

@@ -1,6 +1,7 @@
 // The texts of scene options on the command line.
 #include "fascicle/base/error.hpp"
 #include "fascicle/base/param_table.hpp"
+#include "fascicle/base/pose.hpp"
 #include "fascicle/io/load_scene.hpp"
 #include "io/formats/text_scanner.hpp"
 
@@ -45,10 +46,9 @@ HingeRequest parse_hinge(const std::string& text) {
     if (!parts[0].empty())
         hinge.centre = parse_vector(parts[0], text);
     hinge.axis = parse_vector(parts[1], text);
-    const double length = hinge.axis.stableNorm(); // no overflow for huge numbers
-    if (!(length > 0.0) || !std::isfinite(length))
+    if (!has_direction(hinge.axis))
         throw_error("--hinge", "the axis in '" + text + "' has no direction", hinge_form, ErrorKind::usage);
-    hinge.axis /= length;
+    hinge.axis.normalize();
     return hinge;
 }
 

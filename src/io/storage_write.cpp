@@ -11,6 +11,8 @@ void write_storage(std::ostream& out, const StorageTable& table) {
     for (char& c : name)
         if (c == '\n' || c == '\r')
             c = ' ';
+    if (name.starts_with("\xef\xbb\xbf")) // would be taken for the file's own mark, and be lost
+        name.insert(0, 1, ' ');
     out << name << "\nversion=1\nnRows=" << table.row_count() << "\nnColumns=" << table.columns.size()
         << "\ninDegrees=" << (table.in_degrees ? "yes" : "no") << "\nendheader\n";
     for (std::size_t c = 0; c < table.columns.size(); ++c) {

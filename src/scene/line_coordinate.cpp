@@ -1,6 +1,8 @@
 // Which coordinate of a line model turns with the joint of a scene.
 #include "fascicle/scene/line_muscles.hpp"
 
+#include "fascicle/base/pose.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,7 +26,7 @@ LineCoordinate hinge_coordinate(const LineMuscles& lines, const Scene& scene, st
             *note = text;
     };
     const std::string held = ": points that are there in a range of a coordinate stay as at rest";
-    if (!scene.timeline.hinge || !(scene.timeline.hinge->axis.norm() > 0)) {
+    if (!scene.timeline.hinge || !has_direction(scene.timeline.hinge->axis)) {
         say("the motion has no single joint" + held);
         return {};
     }

@@ -259,6 +259,15 @@ std::vector<ParamRow> make_rows() {
     return rows;
 }
 
+/// A scene's come before the method's own.
+void use_defaults(ParamSet& parameters, const std::string& method) {
+    ParamSet::Defaults defaults = find_solver_method(method)->defaults;
+    if (const ParamSet::Defaults* brought = parameters.kept_defaults(method))
+        for (const auto& [key, value] : *brought)
+            defaults[key] = value;
+    parameters.set_defaults(defaults);
+}
+
 } // namespace
 
 const ParamTable& parameter_table() {
@@ -273,9 +282,14 @@ ParamSet default_parameters() {
 void set_method(ParamSet& parameters, const std::string& method) {
     const bool same = parameters.get_choice("solver.method") == method;
     parameters.set_text("solver.method", method);
-    if (same) // keeps the defaults that a scene brings with it
-        return;
-    parameters.set_defaults(find_solver_method(method)->defaults);
+    if (!same)
+        use_defaults(parameters, method);
+}
+
+void bring_defaults(ParamSet& parameters, const ParamSet::Defaults& defaults) {
+    const std::string& method = parameters.get_choice("solver.method");
+    parameters.keep_defaults(method, defaults);
+    use_defaults(parameters, method);
 }
 
 std::string unused_reason(const ParamSet& parameters, std::string_view key) {

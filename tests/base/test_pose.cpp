@@ -61,3 +61,14 @@ TEST_CASE("screw: a helix, and two halves make the whole", "[base][pose]") {
     CHECK(half.apply(Vec3(5, 0, 0)).z() == Approx(3.5));
     CHECK(difference(half.after(half), helix) < 1e-12);
 }
+
+TEST_CASE("an axis has a direction where its length has all its digits", "[base][pose]") {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    for (const double length : {1e-150, 1e-9, 1.0, 1e150}) {
+        const Vec3 v = length * Vec3(2, -3, 6);
+        REQUIRE(has_direction(v));
+        CHECK((v.normalized() - Vec3(2, -3, 6) / 7).norm() < 1e-15);
+    }
+    for (const double length : {0.0, 1e-320, 1e-160, 1e160, infinite, std::nan("")})
+        CHECK_FALSE(has_direction(Vec3(0, length, length)));
+}

@@ -86,6 +86,27 @@ TEST_CASE("The method brings its defaults, edited values stay", "[document][acti
     CHECK(steps(document) == before);
 }
 
+TEST_CASE("What a scene brings in place of a method's defaults comes back with the method",
+          "[document][actions]") {
+    Scene scene;
+    bring_defaults(scene.parameters, {{"solver.stiffness", 0.2}, {"solver.damping", 25}});
+    Document document{std::move(scene)};
+    const auto value = [&](const char* key) { return document.scene().parameters.get(key); };
+    REQUIRE(value("solver.stiffness") == 0.2);
+    CHECK(actions::set_method(document, "classic"));
+    CHECK(value("solver.stiffness") != 0.2);
+    CHECK(actions::set_method(document, "xpbd"));
+    CHECK(value("solver.stiffness") == 0.2);
+    CHECK(value("solver.damping") == 25);
+    CHECK(actions::set_method(document, "classic"));
+    CHECK(actions::set_parameter(document, "solver.stiffness", 0.5));
+    CHECK(actions::reset_all_parameters(document));
+    CHECK(document.scene().parameters.get_choice("solver.method") == "xpbd");
+    CHECK(value("solver.stiffness") == 0.2);
+    CHECK_FALSE(document.scene().parameters.edited("solver.stiffness"));
+    CHECK_FALSE(actions::reset_all_parameters(document));
+}
+
 TEST_CASE("Names are unique over bones and muscles", "[document][actions]") {
     Document document{Scene{}};
     CHECK(actions::add_bone(document, {"femur", some_mesh(), {}}) == 0);

@@ -124,6 +124,17 @@ TEST_CASE("A table whose only column has blanks in its name is written so that i
     CHECK(back.values == table.values);
 }
 
+TEST_CASE("A table whose name begins with a byte order mark is written so that it comes back", "[io][fuzz]") {
+    StorageTable table;
+    table.name = "\xef\xbb\xbfwalk";
+    table.columns = {"time"};
+    table.values = {1};
+    table.lines = {1};
+    std::ostringstream out;
+    write_storage(out, table);
+    CHECK(read_storage(out.str(), "a.sto").name == table.name);
+}
+
 TEST_CASE("A distance grid without nodes along one axis alone is none", "[io][fuzz]") {
     std::string bytes = encode_grid(DistanceGrid(TriMesh{}, {}));
     REQUIRE(decode_grid(bytes, 100));
@@ -315,6 +326,14 @@ TEST_CASE("A bad parameter of a project names the file once", "[io][fuzz]") {
     CHECK_THAT(error(R"("solver.stiffness":[])"), Catch::StartsWith("/nowhere/a.fascicle") &&
                                                       Contains("got array") &&
                                                       !Contains("parameters: /nowhere"));
+}
+
+TEST_CASE("A file of a project without a path names the project and the field", "[io][fuzz]") {
+    for (const char* field : {R"("line_muscles":{"key":1})", R"("line_muscles":{"path":""})",
+                              R"("muscles":[{"name":"m","path":""}])"})
+        CHECK_THROWS_WITH(
+            read_project_text(R"({"fascicle_project":2,)" + std::string(field) + "}", "/nowhere/a.fascicle"),
+            Catch::StartsWith("/nowhere/a.fascicle") && Contains("path") && Contains("missing"));
 }
 
 TEST_CASE("A muscle of a model without a name is a usage error", "[io][fuzz]") {

@@ -197,8 +197,10 @@ TEST_CASE("option texts", "[io][load_scene]") {
     CHECK(*hinge.centre == Vec3(1, -2.5, 300));
     CHECK(hinge.axis == Vec3(0, 0, -1));
     CHECK_FALSE(parse_hinge(";1,0,0").centre);
-    for (const char* bad : {"", "1,2,3", "1,2,3;", "1,2,3;0,0,0", "1,2;1,0,0", "1,2,3;1,0,0;4", "1,2,x;1,0,0",
-                            "1,2,nan;1,0,0", "1,2,3;1,0,inf", "1,2,3,4;1,0,0", "1 2 3;1 0 0"})
+    CHECK(parse_hinge(";1e-99,0,0").axis == Vec3(1, 0, 0));
+    for (const char* bad :
+         {"", "1,2,3", "1,2,3;", "1,2,3;0,0,0", ";1e-320,0,1e-320", ";1e200,0,0", "1,2;1,0,0",
+          "1,2,3;1,0,0;4", "1,2,x;1,0,0", "1,2,nan;1,0,0", "1,2,3;1,0,inf", "1,2,3,4;1,0,0", "1 2 3;1 0 0"})
         CHECK_THROWS_WITH(parse_hinge(bad), Contains("--hinge") && Contains("expected"));
     CHECK(parse_phases("10, 20,0").back == 20);
     for (const char* bad : {"", "1,2", "1,2,3,4", "0,0,0", "-1,2,3", "1.5,2,3", "1000001,1,1", "a,b,c"})

@@ -186,6 +186,16 @@ TEST_CASE("Every embedded scene comes back from its project", "[io][project][slo
         for (const ParamRow& row : scene.parameters.table().rows())
             if (row.kind != ParamKind::choice)
                 CHECK(again.parameters.default_value(row.key) == scene.parameters.default_value(row.key));
+        Scene other =
+            scene; // with another method in force the file does not have them; the embedded scene has
+        set_method(other.parameters, "classic");
+        write_project_file(file, other);
+        ParamSet back = read_project_file(file).scene.parameters;
+        CHECK(back.get_choice("solver.method") == "classic");
+        set_method(back, "xpbd");
+        for (const ParamRow& row : scene.parameters.table().rows())
+            if (row.kind != ParamKind::choice)
+                CHECK(back.default_value(row.key) == scene.parameters.default_value(row.key));
     }
 }
 

@@ -41,6 +41,7 @@ private:
 /// defaults).
 class ParamSet {
 public:
+    using Defaults = std::map<std::string, double>; ///< by key
     explicit ParamSet(const ParamTable& table);
 
     const ParamTable& table() const { return *table_; }
@@ -58,7 +59,13 @@ public:
     /// Back to the default.
     void reset(std::string_view key);
     /// Replaces the default values (not the rows) of some keys; values not edited follow.
-    void set_defaults(const std::map<std::string, double>& defaults);
+    void set_defaults(const Defaults& defaults);
+    /// Defaults that go with one solver method (a scene brings them), kept until that is chosen again.
+    void keep_defaults(const std::string& method, Defaults defaults);
+    /// Those kept for a method; null without any.
+    const Defaults* kept_defaults(const std::string& method) const;
+    /// Those that another set keeps, in the place of this one's.
+    void keep_defaults_of(const ParamSet& other) { kept_ = other.kept_; }
     double default_value(std::string_view key) const;
 
     std::string text(std::string_view key) const; ///< value as `set_text` reads it
@@ -70,6 +77,7 @@ private:
     std::vector<double> values_;
     std::vector<double> defaults_;
     std::vector<bool> edited_;
+    std::map<std::string, Defaults> kept_;
 };
 
 /// Shortest text that reads back as the same double; independent of the locale.

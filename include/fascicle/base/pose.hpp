@@ -20,8 +20,12 @@ struct Pose {
     bool is_identity() const { return rotation == Mat3::Identity() && translation == Vec3::Zero(); }
 };
 
+/// Can v be an axis: is its length a number that a double holds with all its digits, about 1.5e-154 to 1.3e154? Not so for
+/// zero, infinity and NaN, nor where the squares leave the range of normal numbers.
+bool has_direction(const Vec3& v);
+
 /// Turn by `angle_rad` (right-hand rule) about the line through `centre` along `axis` (need not be a unit
-/// vector, must not be zero).
+/// vector, must have a direction).
 Pose rotation_about(const Vec3& centre, const Vec3& axis, double angle_rad);
 
 /// The pose at share s in [0, 1] of the screw motion from `from` to `to`: exp(s log(to from^-1)) from.

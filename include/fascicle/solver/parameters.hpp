@@ -11,10 +11,14 @@ const ParamTable& parameter_table();
 /// All defaults, for the method xpbd.
 ParamSet default_parameters();
 
-/// Switches solver.method and lets every value that was not edited follow the method's defaults. Nothing changes when the
-/// method is in force already: a scene may bring defaults of its own.
+/// Switches solver.method and lets every value that was not edited follow the method's defaults, or what a scene has brought
+/// in their place. Nothing else changes when the method is in force already.
 /// Error (usage) when there is no such method.
 void set_method(ParamSet& parameters, const std::string& method);
+
+/// Defaults of a scene in the place of those of the method in force; they come back with the method when another was used
+/// between. Takes any value: the scene's author answers for them.
+void bring_defaults(ParamSet& parameters, const ParamSet::Defaults& defaults);
 
 /// Why the method in force does not use a parameter, for people; empty when it does.
 std::string unused_reason(const ParamSet& parameters, std::string_view key);

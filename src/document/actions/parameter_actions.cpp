@@ -59,7 +59,12 @@ bool reset_parameter(Document& document, std::string_view key) {
 }
 
 bool reset_all_parameters(Document& document) {
-    return replace(document, default_parameters(), "Reset all parameters");
+    ParamSet plain = document.scene().parameters;
+    fascicle::set_method(
+        plain, plain.table().find("solver.method")->choices.front()); // first: it decides the defaults
+    for (const ParamRow& row : plain.table().rows())
+        plain.reset(row.key);
+    return replace(document, std::move(plain), "Reset all parameters");
 }
 
 bool set_method(Document& document, const std::string& method) {

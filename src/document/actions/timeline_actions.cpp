@@ -2,6 +2,7 @@
 
 #include "document/actions/hinge_track.hpp"
 #include "fascicle/base/error.hpp"
+#include "fascicle/base/pose.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -48,8 +49,8 @@ void edit_hinge(Document& document, const HingeMotion& motion) {
     const int bones = static_cast<int>(document.scene().bones.size());
     for (const int bone : motion.moving)
         FASCICLE_ASSERT(bone >= 0 && bone < bones);
-    if (!(motion.hinge.axis.norm() > 0) || !motion.hinge.axis.allFinite())
-        throw_error("hinge axis", "its length is zero", "a direction", ErrorKind::usage);
+    if (!has_direction(motion.hinge.axis))
+        throw_error("hinge axis", "it has no direction", "a direction", ErrorKind::usage);
     if (!motion.hinge.centre.allFinite() || !std::isfinite(motion.angle_rad))
         throw_error("hinge", "a number is not finite", "a place and an angle", ErrorKind::usage);
     if (motion.there_and_back) {

@@ -1,6 +1,7 @@
 // Joints, their coordinates, and constraints between coordinates.
 
 #include "fascicle/base/error.hpp"
+#include "fascicle/base/pose.hpp"
 #include "io/formats/text_scanner.hpp"
 #include "io/osim/osim_reader.hpp"
 
@@ -115,7 +116,7 @@ void OsimReader::read_spatial_transform(pugi::xml_node node, Joint& joint) {
         if (slot >= 6)
             document_.fail(axis, "a seventh axis", "three rotations and three translations");
         const Vec3 along = document_.vector(axis, "axis", axes[slot].axis);
-        if (const double length = along.norm(); !(length > 0 && std::isfinite(length)))
+        if (!has_direction(along))
             document_.fail(axis, "the axis has no direction", "an axis other than 0 0 0");
         axes[slot] = {along.normalized(), read_function(axis, coordinates_named(axis.child("coordinates")))};
     }

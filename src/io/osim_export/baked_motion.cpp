@@ -194,7 +194,7 @@ BakedMotion bake_motion(const Recording& recording, const ToModel& to_model, Osi
     bool hinge = scene.timeline.hinge.has_value();
     if (hinge) {
         motion.centre = to_model.point(scene.timeline.hinge->centre);
-        motion.axis = motion.sign * (to_model.turn * scene.timeline.hinge->axis.stableNormalized());
+        motion.axis = motion.sign * (to_model.turn * scene.timeline.hinge->axis.normalized());
         for (std::size_t k = 0; hinge && k < frames; ++k) {
             const Pose turned =
                 rotation_about(motion.centre, motion.axis, motion.sign * motion.angles_rad[k]);

@@ -83,9 +83,9 @@ Scene make_cylinder(int) {
         make_hinge_timeline({Vec3::Zero(), Vec3::UnitX()}, C::angle_rad, {100, 100, 100}, 3, {2});
     // Nearly passive: fibres give way, so that tension hardly presses the far side of the strap towards the cylinder
     // (a surface that encloses volume resists that by its bending only), yet the side that lies on it stays taut.
-    scene.parameters.set_defaults({{"solver.stiffness", 0.3},
-                                   {"solver.bending", 0.9},
-                                   {"solver.coarse", 0}}); // so soft, it has no waves that lag
+    bring_defaults(scene.parameters, {{"solver.stiffness", 0.3},
+                                      {"solver.bending", 0.9},
+                                      {"solver.coarse", 0}}); // so soft, it has no waves that lag
     return scene;
 }
 

@@ -26,11 +26,11 @@ Scene make_squish_box(int) {
     scene.timeline = make_shift_timeline(Vec3(0, -90, 0), {100, 100, 100}, 2, 0);
     // A soft box between plates that grip, as the published response does (it stops a vertex where it touches). Stiffer
     // walls buckle at random under a squeeze to a tenth, and without grip or damping the box then turns as it unfolds.
-    scene.parameters.set_defaults({{"solver.stiffness", 0.2},
-                                   {"solver.coarse", 0},
-                                   {"solver.damping", 25},
-                                   {"solver.iterations", 40},
-                                   {"contact.friction", 1}});
+    bring_defaults(scene.parameters, {{"solver.stiffness", 0.2},
+                                      {"solver.coarse", 0},
+                                      {"solver.damping", 25},
+                                      {"solver.iterations", 40},
+                                      {"contact.friction", 1}});
     return scene;
 }
 
