@@ -328,6 +328,7 @@ void Compare::blink_on(double now) {
 
 void Compare::update(EditorContext& context) {
     resolve(context);
+    aside_ = context.state.tool == Tool::paint || context.features.motion.preview() != nullptr;
     reason_ = pair_reason_;
     for (const ComparedRun* run : {&a_, &b_})
         if (reason_.empty() && run->recording->frame_count() == 0)

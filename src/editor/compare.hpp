@@ -53,8 +53,10 @@ public:
     CompareChoice choice; ///< may be written by panels and commands
 
     /// Whether the view shows a comparison now.
-    bool active() const { return choice.mode != CompareMode::off && reason_.empty(); }
+    bool active() const { return choice.mode != CompareMode::off && reason_.empty() && !aside_; }
     bool active(CompareMode mode) const { return choice.mode == mode && active(); }
+    /// The view shows the document: areas are painted, or the motion is dragged. Numbers go on.
+    bool aside() const { return aside_; }
     /// Why A and B cannot be compared, one line; empty when they can.
     const std::string& reason() const { return reason_; }
     const ComparedRun& a() const { return a_; }
@@ -118,6 +120,7 @@ private:
     int number_of(const EditorContext& context, const RecordingPtr& recording) const;
 
     std::string reason_ = "there is no run yet", pair_reason_ = reason_;
+    bool aside_ = false;
     Key key_;
     ComparedRun a_, b_;
     RunMatch match_;

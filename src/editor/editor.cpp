@@ -98,8 +98,7 @@ void Editor::run(Command command) {
 std::optional<double> Editor::next_redraw() const {
     if (!input_.empty())
         return 0;
-    const bool frames_to_play = state_.playback.playhead() + 1 < runs_.available_count() || !runs_.running();
-    if (state_.playback.playing && frames_to_play)
+    if (state_.playback.playing && frames_to_play_)
         return 1.0 / 60;
     // The solver needs the processor more than a progress bar does.
     std::optional<double> next;
@@ -123,6 +122,13 @@ void Editor::handle_keys() {
     const bool modal = ImGui::GetTopMostPopupModal() != nullptr;
     for (const InputQueue::Press& press : input_.presses()) {
         if (modal && press.chord.key == key_escape && !ImGui::GetIO().WantTextInput) {
+            // A list that is open in front of the dialog goes first.
+            const ImVector<ImGuiPopupData>& popups = ImGui::GetCurrentContext()->OpenPopupStack;
+            if (const ImGuiWindow* front = popups.empty() ? nullptr : popups.back().Window;
+                front != nullptr && (front->Flags & ImGuiWindowFlags_Modal) == 0) {
+                ImGui::ClosePopupToLevel(popups.Size - 1, true);
+                continue;
+            }
             for (Dialog* dialog : dialogs_->all())
                 dialog->close();
             ImGui::ClosePopupToLevel(0, true);
@@ -175,6 +181,7 @@ void Editor::replace_document(Document document) {
     runs_.forget();
     metrics_.forget();
     reported_ = nullptr;
+    dialogs_->osim.forget();
     state_.selection = {};
     state_.hidden.clear();
     state_.tool = Tool::look;
@@ -266,10 +273,10 @@ void Editor::draw_frame(float width, float height, double seconds) {
     metrics_.follow(runs_.recording());
     if (const std::string error = metrics_.take_error(); !error.empty())
         log_.add(Severity::error, error);
-    advance(state_.playback, seconds, frame_seconds(document_.scene()), runs_.available_count(),
-            document_.scene().timeline.last_frame, runs_.running() || runs_.outdated());
-
     EditorContext c = context();
+    advance(state_.playback, seconds, frame_seconds(document_.scene()), c.available_frames(),
+            document_.scene().timeline.last_frame, c.frames_come());
+    frames_to_play_ = state_.playback.playhead() + 1 < c.available_frames() || !c.frames_come();
     for (Feature* feature : features_->all())
         feature->update(c);
     layout_ = compute_layout(io.DisplaySize.x, io.DisplaySize.y, state_.layout, state_.scale);

@@ -89,6 +89,7 @@ private:
     Layout layout_;
     std::filesystem::path user_folder_;
     bool still_ = false, styled_dark_ = false, styled_ = false;
+    bool frames_to_play_ = true; ///< else the next one is being computed
     double now_ = 0;
     float smooth_seconds_ = 0;
     RecordingPtr reported_; ///< whose notes and end have been passed on to the log

@@ -17,6 +17,21 @@ const Scene& EditorContext::shown_scene() const {
     return frame.recording == nullptr ? document.scene() : frame.recording->scene();
 }
 
+int EditorContext::available_frames() const {
+    const Compare& compare = features.compare;
+    if (!compare.active())
+        return runs.available_count();
+    return std::max(compare.a().recording->frame_count(), compare.b().recording->frame_count());
+}
+
+bool EditorContext::frames_come() const {
+    const Compare& compare = features.compare;
+    if (!compare.active())
+        return runs.running() || runs.outdated();
+    return compare.a().recording->state() == RunState::running ||
+           compare.b().recording->state() == RunState::running;
+}
+
 void EditorContext::move_playhead(int frame) {
     state.playback.position = std::clamp(frame, 0, last_frame());
 }

@@ -42,6 +42,9 @@ struct EditorContext {
     ShownFrame shown() const;
     /// The scene that the shown frame belongs to; the document's when there is no frame.
     const Scene& shown_scene() const;
+    /// Frames [0, n) can be shown, of the run or of those that are compared; more are being computed.
+    int available_frames() const;
+    bool frames_come() const;
     void move_playhead(int frame);
 };
 

@@ -69,6 +69,10 @@ void MetricsWorker::follow(const RecordingPtr& recording) {
         stale_ = false;
         changed_.notify_all();
     }
+    if (recording != nullptr && current_.scene != recording->scene_ptr()) {
+        current_.scene = recording->scene_ptr(); // it was renamed
+        ++version_;
+    }
     take();
     if (behind())
         changed_.notify_all(); // whoever waits for a run that had ended

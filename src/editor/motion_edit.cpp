@@ -47,9 +47,20 @@ void MotionEdit::edit(EditorContext& context, const actions::HingeMotion& motion
 }
 
 void MotionEdit::edit_key(EditorContext& context, int bone, std::size_t index, const actions::Screw& screw) {
-    if (attempt(context,
-                [&] { actions::edit_pose_key(context.document, bone, index, actions::pose_of(screw)); }))
+    if (attempt(context, [&] {
+            const Pose pose = actions::pose_of(screw);
+            actions::edit_pose_key(context.document, bone, index, pose);
+            edited_key_ = {bone, index, pose, screw};
+        }))
         edited_ = context.document.version();
+}
+
+actions::Screw MotionEdit::key_screw(int bone, std::size_t index, const Pose& pose, const Vec3& near) const {
+    const EditedKey& last = edited_key_;
+    if (last.bone == bone && last.index == index && last.pose.rotation == pose.rotation &&
+        last.pose.translation == pose.translation)
+        return last.screw;
+    return actions::screw_of(pose, near);
 }
 
 void MotionEdit::commit(EditorContext& context, const std::string& name) {
@@ -306,8 +317,9 @@ void MotionEdit::take_point(EditorContext& context, const Vec3& point) {
         const auto& tracks = context.document.scene().timeline.bone_tracks;
         if (bone >= 0 && static_cast<std::size_t>(bone) < tracks.size() && key > 0 &&
             key < static_cast<int>(tracks[static_cast<std::size_t>(bone)].keys.size())) {
-            actions::Screw screw = actions::screw_of(
-                tracks[static_cast<std::size_t>(bone)].keys[static_cast<std::size_t>(key)].pose, point);
+            const PoseKey& edited =
+                tracks[static_cast<std::size_t>(bone)].keys[static_cast<std::size_t>(key)];
+            actions::Screw screw = key_screw(bone, static_cast<std::size_t>(key), edited.pose, point);
             screw.centre = point;
             edit_key(context, bone, static_cast<std::size_t>(key), screw);
             commit(context, "Set key, " + key_bone);

@@ -47,6 +47,9 @@ public:
     /// While a control is held; commit() ends it. Errors go to the log.
     void edit(EditorContext& context, const actions::HingeMotion& motion);
     void edit_key(EditorContext& context, int bone, std::size_t index, const actions::Screw& screw);
+    /// A key's pose as a screw, told near a point: as it was last edited here, while the key has that pose. A pose forgets the
+    /// axis of no turn, and that an angle was negative.
+    actions::Screw key_screw(int bone, std::size_t index, const Pose& pose, const Vec3& near) const;
     void commit(EditorContext& context, const std::string& name);
     /// Both at once.
     void set(EditorContext& context, const actions::HingeMotion& motion, const char* name);
@@ -98,6 +101,13 @@ private:
     void take_point(EditorContext& context, const Vec3& point);
     void make_preview(const EditorContext& context);
 
+    struct EditedKey {
+        int bone = -1;
+        std::size_t index = 0;
+        Pose pose;
+        actions::Screw screw;
+    };
+    EditedKey edited_key_;
     std::optional<actions::HingeMotion> hinge_;
     std::uint64_t version_ = 0; ///< of the document that hinge_ is of
     std::uint64_t edited_ = 0;  ///< of the document after the last edit here

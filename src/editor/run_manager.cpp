@@ -38,6 +38,12 @@ bool same_problem(const Scene& a, const Scene& b) {
            std::equal(a.muscles.begin(), a.muscles.end(), b.muscles.begin(), b.muscles.end(), same_muscle);
 }
 
+bool same_names(const Scene& a, const Scene& b) {
+    const auto same = [](const auto& x, const auto& y) { return x.name == y.name; };
+    return std::equal(a.bones.begin(), a.bones.end(), b.bones.begin(), b.bones.end(), same) &&
+           std::equal(a.muscles.begin(), a.muscles.end(), b.muscles.begin(), b.muscles.end(), same);
+}
+
 int count(const RecordingPtr& recording) {
     return recording == nullptr ? 0 : recording->frame_count();
 }
@@ -88,6 +94,8 @@ void RunManager::update(const ScenePtr& head, bool held, double now) {
     if (outdated && !outdated_)
         changed_ = now;
     outdated_ = outdated || held;
+    if (!outdated)
+        take_names();
     if (held)
         changed_ = now;
     const bool settled = first || now - changed_ >= settle_seconds;
@@ -98,6 +106,12 @@ void RunManager::update(const ScenePtr& head, bool held, double now) {
         if (retired_.empty())
             begin(now);
     }
+}
+
+void RunManager::take_names() {
+    for (const RecordingPtr& recording : {recording_, previous_same_ ? previous_ : nullptr})
+        if (recording != nullptr && !same_names(recording->scene(), *head_))
+            recording->rename(head_);
 }
 
 void RunManager::begin(double now) {

@@ -62,6 +62,8 @@ public:
 
 private:
     void begin(double now);
+    /// Bodies that were renamed are called so in what is shown, too.
+    void take_names();
     void retire();
 
     StartRun start_;

@@ -2,7 +2,22 @@
 
 #include "fascicle/base/assert.hpp"
 
+#include <utility>
+
 namespace fascicle {
+
+ScenePtr Recording::scene_ptr() const {
+    const std::lock_guard lock(mutex_);
+    return scene_;
+}
+
+void Recording::rename(ScenePtr scene) {
+    FASCICLE_ASSERT(scene->muscles.size() == scene_->muscles.size() &&
+                    scene->bones.size() == scene_->bones.size());
+    const std::lock_guard lock(mutex_);
+    former_.push_back(std::exchange(scene_, std::move(scene)));
+    now_.store(scene_.get(), std::memory_order_release);
+}
 
 void Recording::set_attachments(std::vector<std::vector<Attachment>> attachments) {
     const std::lock_guard lock(mutex_);
@@ -45,8 +60,8 @@ double Recording::prepare_seconds() const {
 }
 
 void Recording::append(FramePtr frame) {
-    FASCICLE_ASSERT(frame != nullptr && frame->muscle_positions.size() == scene_->muscles.size() &&
-                    frame->bone_poses.size() == scene_->bones.size());
+    FASCICLE_ASSERT(frame != nullptr && frame->muscle_positions.size() == scene().muscles.size() &&
+                    frame->bone_poses.size() == scene().bones.size());
     const std::lock_guard lock(mutex_);
     frames_.push_back(std::move(frame));
 }

@@ -304,6 +304,33 @@ TEST_CASE("Every way of comparing has its button, shows in the view and goes off
     CHECK_FALSE(d.has("viewport/a"));
 }
 
+TEST_CASE("While areas are painted the view shows the scene, and the comparison afterwards again",
+          "[editor][compare][ui]") {
+    Driver d;
+    two_runs(d);
+    d.click("compare/blink");
+    compare(d).choice.shows_b = true;
+    d.frame(2);
+    REQUIRE(compare(d).active());
+    const RecordingPtr present = d.editor().context().runs.recording();
+    REQUIRE(compare(d).b().recording != present);
+    d.state().selection = {Selection::Kind::bone, d.document().scene().bones[0].name};
+    d.key(key_tab);
+    REQUIRE(d.state().tool == Tool::paint);
+    d.state().side_panel = "compare";
+    d.frame(2);
+    CHECK_FALSE(compare(d).active());
+    CHECK(d.has("compare/aside"));
+    CHECK(d.editor().context().shown().recording == present);
+    const EditorContext context = d.editor().context();
+    CHECK(view_subject(context).areas == context.features.paint.shown_areas(context)); // the strokes are seen
+    d.key(key_tab);
+    d.frame(2);
+    CHECK(compare(d).active());
+    CHECK_FALSE(d.has("compare/aside"));
+    CHECK(d.editor().context().shown().recording == compare(d).b().recording);
+}
+
 TEST_CASE("B blinks between the runs, Shift+B begins and ends comparing", "[editor][compare][ui]") {
     Driver d;
     d.frame(3);

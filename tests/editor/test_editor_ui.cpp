@@ -393,6 +393,28 @@ TEST_CASE("Keys belong to a text field while it has the focus", "[editor][ui]") 
     CHECK(d.runs_started() == 1); // a name changes no result
 }
 
+TEST_CASE("A name that was being typed is kept when something else is clicked", "[editor][ui]") {
+    Driver d;
+    d.frame(3);
+    const std::string bone = d.document().scene().bones[0].name;
+    d.click("tree/muscle");
+    d.frame(2);
+    d.click("selection/name");
+    d.key(key_a, {.ctrl = true});
+    d.type("gracilis");
+    d.click("tree/" + bone);
+    d.frame(2);
+    CHECK(d.document().scene().muscles[0].name == "gracilis");
+    CHECK(d.state().selection.name == bone);
+    d.click("selection/name");
+    d.key(key_a, {.ctrl = true});
+    d.type("gracilis"); // taken
+    d.click("tree/gracilis");
+    d.frame(2);
+    CHECK(d.document().scene().bones[0].name == bone);
+    CHECK(d.state().selection.name == "gracilis");
+}
+
 namespace {
 
 /// Files are read on a thread of their own: frames go by until it has come to something, for ten seconds at most.

@@ -219,6 +219,12 @@ TEST_CASE("Keys are set at the playhead, edited, moved and removed", "[editor][u
     type_number(d, "motion/key_axis/x", "0");
     CHECK(actions::screw_of(timeline(d).bone_tracks[1].keys[1].pose, Vec3::Zero())
               .axis.isApprox(Vec3(0, 1, 0), 1e-6));
+    for (const char* angle : {"0", "-25"}) // a pose forgets the axis of no turn, and the sign
+        type_number(d, "motion/key_angle", angle);
+    CHECK((timeline(d).bone_tracks[1].keys[1].pose.rotation -
+           rotation_about(Vec3::Zero(), Vec3(0, 1, 0), -25 * degree).rotation)
+              .norm() < 1e-6);
+    type_number(d, "motion/key_angle", "30");
     type_number(d, "motion/key_slide", "5");
     CHECK(actions::screw_of(timeline(d).bone_tracks[1].keys[1].pose, Vec3::Zero()).slide == Approx(5));
     CHECK_FALSE(timeline(d).hinge); // a slide is no hinge

@@ -2,6 +2,7 @@
 #include "editor/dialogs/dialogs.hpp"
 #include "editor/driver.hpp"
 #include "editor/features.hpp"
+#include "fascicle/document/actions/parameter_actions.hpp"
 #include "fascicle/scene/model_motion.hpp"
 #include "render/osmesa_context.hpp"
 #include "support/osim_scene.hpp"
@@ -114,6 +115,44 @@ TEST_CASE("Meshes get the bodies of their names, and everyone can change them", 
     d.click("osim/mesh/base.obj/remove");
     CHECK(choice(d).rows().size() == 1);
     d.click("osim/cancel");
+    d.frame(2);
+    CHECK(choice(d).rows().empty());
+    CHECK(d.document().scene().model_motion == nullptr);
+}
+
+TEST_CASE("Esc closes an open list first, and what was chosen outlasts the question about changes",
+          "[editor][ui][osim]") {
+    const OsimFiles files;
+    Driver d;
+    actions::set_parameter(d.document(), "solver.stiffness", 0.5);
+    open_dialog(d);
+    choose(d, files.path("arm.osim"));
+    choose(d, files.path("trial.mot"));
+    d.click("osim/stand_in");
+    d.click("osim/stand_in/flexor_r");
+    d.click("osim/axes");
+    REQUIRE(d.has("osim/axes/2"));
+    d.key(key_escape);
+    d.frame(2);
+    CHECK_FALSE(d.has("osim/axes/2"));
+    REQUIRE(d.has("osim/open"));
+    REQUIRE(choice(d).rows().size() == 1);
+    for (const char* refusal : {"unsaved/cancel", "Esc"}) {
+        INFO(refusal);
+        d.click("osim/open");
+        d.frame(2);
+        REQUIRE(d.has("unsaved/cancel"));
+        if (refusal == std::string("Esc"))
+            d.key(key_escape);
+        else
+            d.click(refusal);
+        d.frame(2);
+        CHECK_FALSE(d.has("unsaved/cancel"));
+        open_dialog(d);
+        CHECK(choice(d).rows().size() == 1);
+        CHECK(choice(d).preview());
+    }
+    d.key(key_escape);
     d.frame(2);
     CHECK(choice(d).rows().empty());
     CHECK(d.document().scene().model_motion == nullptr);

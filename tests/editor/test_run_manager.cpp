@@ -116,10 +116,17 @@ TEST_CASE("A new name needs no new run, a new body makes old frames useless", "[
     Bench b;
     b.wait(0.1);
     b.started[0]->compute(5);
+    const Scene& before = b.runs.recording()->scene();
+    const std::string name = before.muscles[0].name;
     actions::rename_muscle(b.document, 0, "other");
     b.wait(1);
     CHECK(b.started.size() == 1);
     CHECK(b.runs.valid_count() == 5);
+    CHECK(b.runs.recording()->scene().muscles[0].name == "other"); // view, plots and exports go by it
+    CHECK(before.muscles[0].name == name);                         // who holds the former scene keeps it
+    b.document.undo();
+    b.wait(1);
+    CHECK(b.runs.recording()->scene().muscles[0].name == name);
     actions::remove_bone(b.document, 0);
     b.wait(0.05);
     CHECK(b.runs.available_count() == 0);

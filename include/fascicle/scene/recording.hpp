@@ -5,6 +5,7 @@
 #include "fascicle/anatomy/fibre_problem.hpp"
 #include "fascicle/scene/scene.hpp"
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <mutex>
@@ -45,10 +46,13 @@ enum class RunState { running, finished, cancelled, failed };
 /// positions.
 class Recording {
 public:
-    explicit Recording(ScenePtr scene) : scene_(std::move(scene)) {}
+    explicit Recording(ScenePtr scene) : scene_(std::move(scene)), now_(scene_.get()) {}
 
-    const Scene& scene() const { return *scene_; }
-    ScenePtr scene_ptr() const { return scene_; }
+    /// Stays valid as long as this recording, also when it is renamed.
+    const Scene& scene() const { return *now_.load(std::memory_order_acquire); }
+    ScenePtr scene_ptr() const;
+    /// A scene that differs in names and in nothing that a run depends on, in the place of the present one.
+    void rename(ScenePtr scene);
 
     /// The attachments in force (resolved from outlines or distance), one list per muscle. Set before frame
     /// 0.
@@ -63,6 +67,9 @@ public:
     std::vector<std::string> notes() const;
     void set_prepare_seconds(double seconds);
     double prepare_seconds() const;
+    /// Threads that the run was solved with; 0 when nobody has said.
+    void set_threads(int threads) { threads_ = threads; }
+    int threads() const { return threads_; }
 
     void append(FramePtr frame);
     int frame_count() const; ///< frames so far, rest included
@@ -76,12 +83,15 @@ public:
 
 private:
     ScenePtr scene_;
+    std::atomic<const Scene*> now_; ///< is scene_
+    std::vector<ScenePtr> former_;  ///< somebody may hold a reference
     mutable std::mutex mutex_;
     std::vector<FramePtr> frames_;
     std::vector<std::vector<Attachment>> attachments_;
     std::vector<FibreModelPtr> fibres_;
     std::vector<std::string> notes_;
     double prepare_seconds_ = 0;
+    std::atomic<int> threads_ = 0;
     RunState state_ = RunState::running;
     std::string failure_;
 };

@@ -1,4 +1,5 @@
 #include "editor/commands/command_groups.hpp"
+#include "editor/features.hpp"
 #include "editor/playback.hpp"
 #include "fascicle/document/actions/marker_actions.hpp"
 
@@ -20,9 +21,10 @@ void play_pause(EditorContext& context) {
     if (!playback.playing)
         return;
     const auto [low, high] = played_range(playback, context.last_frame());
-    const int end = std::min(high, context.runs.available_count() - 1);
+    const int end = std::min(high, context.available_frames() - 1);
     playback.turned = false;
-    if (playback.speed > 0 && context.playhead() >= end && !context.runs.running()) // else more frames come
+    const bool more = context.features.compare.active() ? context.frames_come() : context.runs.running();
+    if (playback.speed > 0 && context.playhead() >= end && !more)
         playback.position = low;
     if (playback.speed < 0 && context.playhead() <= low)
         playback.position = end;
@@ -99,7 +101,7 @@ std::vector<KeyBinding> timeline_commands() {
          {{{key_space}}},
          false,
          [](const EditorContext& c) {
-             return only_if(c.runs.available_count() > 0 || c.runs.running(), "no frames yet");
+             return only_if(c.available_frames() > 0 || c.frames_come(), "no frames yet");
          },
          play_pause},
         {C::step_back,

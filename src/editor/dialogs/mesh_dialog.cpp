@@ -1,5 +1,6 @@
 #include "editor/dialogs/mesh_dialog.hpp"
 
+#include "editor/dialogs/modal.hpp"
 #include "editor/features.hpp"
 #include "editor/widgets/item_recorder.hpp"
 #include "editor/widgets/paint.hpp"
@@ -70,24 +71,14 @@ void MeshDialog::draw(EditorContext& context) {
     poll(context);
     if (!open_)
         return close();
-    if (appears_) {
-        ImGui::OpenPopup(popup_name);
-        appears_ = false;
-    }
-    const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const ImVec2 size{std::min(window.x * 0.96f, context.px(1140)),
-                      std::min(window.y * 0.94f, context.px(700))};
-    ImGui::SetNextWindowSize(size);
-    ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
     bool keep = true;
-    if (!ImGui::BeginPopupModal(popup_name, &keep,
-                                ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoSavedSettings)) {
-        close(); // Esc closed it
+    if (!begin_modal(context, popup_name, appears_, 1140, 700, &keep)) {
+        if (!appears_) // else another dialog is in front: one question after the other
+            close();   // Esc closed it
         return;
     }
-    record_item("mesh", {ImGui::GetWindowPos(),
-                         {ImGui::GetWindowPos().x + size.x, ImGui::GetWindowPos().y + size.y}});
+    const ImVec2 place = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    record_item("mesh", {place, {place.x + size.x, place.y + size.y}});
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float foot = ImGui::GetFrameHeight() + context.px(8) + ImGui::GetStyle().ItemSpacing.y;
     draw_columns(context, {room.x, std::max(40.0f, room.y - foot)});

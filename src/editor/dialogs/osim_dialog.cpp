@@ -61,7 +61,13 @@ void OsimDialog::open() {
 }
 
 void OsimDialog::close() {
+    if (in_front_)
+        forget();
+}
+
+void OsimDialog::forget() {
     choice_.clear();
+    in_front_ = false;
 }
 
 void OsimDialog::draw_facts(EditorContext& context) {
@@ -251,7 +257,8 @@ void OsimDialog::draw_options(EditorContext& context) {
 
 void OsimDialog::draw(EditorContext& context) {
     choice_.poll();
-    if (!begin_modal(context, "Open OpenSim model", appears_, 980, 620))
+    in_front_ = begin_modal(context, "Open OpenSim model", appears_, 980, 620);
+    if (!in_front_)
         return;
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float foot = ImGui::GetFrameHeightWithSpacing() + context.px(12), left = 0.4f * room.x;
@@ -279,10 +286,13 @@ void OsimDialog::draw(EditorContext& context) {
     if (cancel || go)
         ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
-    if (go)
+    // What was chosen stays until its scene is there: for who does not want to lose changes after all, or mends a file.
+    if (go) {
+        in_front_ = false;
         unless_unsaved(context, "opening " + request.osim.model.filename().string(),
                        [request](EditorContext& c) { c.features.opener.open(request); });
-    if (cancel || go)
+    }
+    if (cancel)
         close();
 }
 

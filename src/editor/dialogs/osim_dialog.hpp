@@ -10,8 +10,10 @@ namespace fascicle::editor {
 class OsimDialog : public Dialog {
 public:
     OsimDialog();
+    /// With what was chosen last, if its scene has not been opened since.
     void open();
     void close() override;
+    void forget(); ///< what was chosen
     bool busy() const override { return choice_.reading(); }
     void draw(EditorContext& context) override;
     OsimChoice& choice() { return choice_; } ///< for tests
@@ -26,6 +28,7 @@ private:
     FileBrowser browser_;
     OsimChoice choice_;
     bool appears_ = false;
+    bool in_front_ = false; ///< else another dialog is closed, and the choice stays
 };
 
 } // namespace fascicle::editor

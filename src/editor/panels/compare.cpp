@@ -177,6 +177,10 @@ void draw_compare_mode(EditorContext& context) {
         record_item("compare/reason");
         return;
     }
+    if (compare.choice.mode != CompareMode::off && compare.aside()) {
+        draw_compare_text(context.theme.text_faint, "The view shows the scene while it is painted or moved.");
+        record_item("compare/aside");
+    }
     for (const std::string& muscle : compare.match().left_out) {
         draw_compare_text(context.theme.warning, "Left out: " + muscle);
         record_item("compare/left_out");

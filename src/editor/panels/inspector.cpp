@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <imgui_stdlib.h>
 #include <numbers>
+#include <utility>
 
 namespace fascicle::editor {
 
@@ -44,8 +45,10 @@ public:
             draw_bone(context, bone);
         else if (muscle >= 0)
             draw_muscle(context, muscle);
-        else
+        else {
+            take_name(context);
             draw_scene(context);
+        }
         ImGui::PopStyleVar();
     }
 
@@ -61,21 +64,41 @@ private:
         item_tooltip(tip != nullptr ? tip : width - label < text_size(value).x ? value : std::string());
     }
 
+    /// What was being typed when something else was selected, by a click in the tree or the view.
+    void take_name(EditorContext& context) {
+        const Scene& scene = context.document.scene();
+        const std::string was = std::exchange(edited_name_for_, {});
+        if (!std::exchange(typing_, false) || edited_name_ == was)
+            return;
+        const int bone = scene.bone_index(was), muscle = scene.muscle_index(was);
+        if (bone < 0 && muscle < 0)
+            return; // undone or removed meanwhile
+        if (!(bone >= 0 ? actions::rename_bone(context.document, bone, edited_name_)
+                        : actions::rename_muscle(context.document, muscle, edited_name_)))
+            refuse_name(context);
+    }
+
+    void refuse_name(EditorContext& context) {
+        context.log.add(Severity::warning, "Name '" + edited_name_ + "' is empty or taken.");
+    }
+
     /// The name, to be typed over. Taken and empty names are refused on Enter.
     template <class Rename>
     void name_field(EditorContext& context, const std::string& name, Rename rename) {
         if (edited_name_for_ != name) {
+            take_name(context);
             edited_name_ = name;
             edited_name_for_ = name;
         }
         ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
         ImGui::InputText("##name", &edited_name_, ImGuiInputTextFlags_AutoSelectAll);
         record_item("selection/name");
+        typing_ = ImGui::IsItemActive();
         if (ImGui::IsItemDeactivatedAfterEdit() && edited_name_ != name) {
             if (rename(edited_name_)) {
                 context.state.selection.name = edited_name_;
             } else {
-                context.log.add(Severity::warning, "Name '" + edited_name_ + "' is empty or taken.");
+                refuse_name(context);
                 edited_name_ = name;
             }
         }
@@ -190,6 +213,7 @@ private:
     }
 
     std::string edited_name_, edited_name_for_;
+    bool typing_ = false; ///< a name, in the frame before
 };
 
 } // namespace

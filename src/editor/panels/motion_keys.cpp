@@ -164,7 +164,7 @@ void draw_key(EditorContext& context, int bone) {
         return;
     const auto index = static_cast<std::size_t>(edit.key);
     const std::string unit = to_text(context.document.scene().unit);
-    Screw screw = actions::screw_of(keys[index].pose, near_point(context, bone));
+    Screw screw = edit.key_screw(bone, index, keys[index].pose, near_point(context, bone));
     double angle = screw.angle_rad / degree, frame = keys[index].frame;
     const bool metres = unit == "m";
     heading(context, "Selected key");
