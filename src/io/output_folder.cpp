@@ -20,32 +20,30 @@ fs::path resolved(const fs::path& path) {
     return code ? path : found;
 }
 
-/// Calls check(source) for every file that the scene was read from.
-template <typename Check>
-void for_each_input(const Scene& scene, const std::vector<fs::path>& more_inputs, const Check& check_source) {
-    const auto check = [&](const MeshSource& source) {
-        if (!source.path.empty())
-            check_source(source);
-    };
-    for (const fs::path& input : more_inputs)
-        check({input.string(), {}});
-    check(scene.motion_source);
-    if (scene.model_motion != nullptr)
-        check(scene.model_motion->model_source);
-    if (scene.line_muscles != nullptr)
-        check(scene.line_muscles->source);
-    for (const Bone& bone : scene.bones)
-        check(bone.source);
-    for (const Muscle& muscle : scene.muscles) {
-        check(muscle.source);
-        check(muscle.surface_fibres_source);
-        check(muscle.fibre_template_source);
-        for (const MeshSource& source : muscle.outline_files)
-            check(source);
-    }
-}
-
 } // namespace
+
+std::set<fs::path> inputs_of(const Scene& scene) {
+    std::set<fs::path> inputs;
+    const auto add = [&](const MeshSource& source) {
+        if (!source.path.empty())
+            inputs.insert(source.path);
+    };
+    add(scene.motion_source);
+    if (scene.model_motion != nullptr)
+        add(scene.model_motion->model_source);
+    if (scene.line_muscles != nullptr)
+        add(scene.line_muscles->source);
+    for (const Bone& bone : scene.bones)
+        add(bone.source);
+    for (const Muscle& muscle : scene.muscles) {
+        add(muscle.source);
+        add(muscle.surface_fibres_source);
+        add(muscle.fibre_template_source);
+        for (const MeshSource& source : muscle.outline_files)
+            add(source);
+    }
+    return inputs;
+}
 
 void require_file_names(const Scene& scene) {
     std::map<std::string, std::string> names; // of files, and whose
@@ -72,17 +70,19 @@ const fs::path& without_inputs(const fs::path& folder, const Scene& scene,
         outputs.insert(resolved(folder / io::bone_file(bone.name)));
     for (const Muscle& muscle : scene.muscles)
         outputs.insert(resolved(folder / io::series_file(muscle.name)));
-    for_each_input(scene, more_inputs, [&](const MeshSource& source) {
-        const fs::path path = resolved(source.path);
+    std::set<fs::path> inputs = inputs_of(scene);
+    inputs.insert(more_inputs.begin(), more_inputs.end());
+    for (const fs::path& input : inputs) {
+        const fs::path path = resolved(input);
         bool clash = outputs.count(path) > 0;
         for (const Muscle& muscle : scene.muscles)
             clash = clash || ((path.parent_path() == resolved(folder / "frames") ||
                                path.parent_path() == resolved(folder / "fibres")) &&
                               io::frame_of_file(path, muscle.name) >= 0);
         if (clash)
-            throw_error(folder.string(), "the output would replace the input " + source.path,
+            throw_error(folder.string(), "the output would replace the input " + input.string(),
                         "another output folder", ErrorKind::usage);
-    });
+    }
     return folder;
 }
 

@@ -1,6 +1,7 @@
 #include "fascicle/io/run_reader.hpp"
 
 #include "fascicle/base/error.hpp"
+#include "fascicle/base/pose.hpp"
 #include "fascicle/io/csv.hpp"
 #include "fascicle/io/fibre_files.hpp"
 #include "fascicle/io/files.hpp"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace fascicle {
@@ -84,7 +86,17 @@ void RunReader::read_summary() {
     scene->name = summary.text("scene", "scene");
     scene->embedded_name = summary.text("embedded_scene");
     scene->unit = unit_of(summary);
-    const auto source = [](const io::JsonFields& entry) { return MeshSource{entry.text("path"), {}}; };
+    std::map<std::string, std::string> hashes; // of inputs by path
+    if (const auto inputs = json.find("inputs"); inputs != json.end() && inputs->is_array())
+        for (const io::Json& input : *inputs)
+            if (input.is_object() && input.contains("path") && input["path"].is_string() &&
+                input.contains("hash") && input["hash"].is_string())
+                hashes[input["path"].get<std::string>()] = input["hash"].get<std::string>();
+    const auto source = [&](const io::JsonFields& entry) {
+        const std::string path = entry.text("path");
+        const auto hash = hashes.find(path);
+        return MeshSource{path, hash == hashes.end() ? std::string() : hash->second};
+    };
     for (const io::JsonFields& entry : summary.objects("bones")) {
         Bone bone;
         bone.name = entry.text("name");
@@ -103,7 +115,7 @@ void RunReader::read_summary() {
     if (summary.has("hinge")) {
         const io::JsonFields hinge = summary.object("hinge");
         scene->timeline.hinge = Hinge{hinge.vector("centre"), hinge.vector("axis")};
-        if (const double length = scene->timeline.hinge->axis.norm(); !(length > 0 && std::isfinite(length)))
+        if (!has_direction(scene->timeline.hinge->axis))
             hinge.fail("axis", "has no direction", "an axis other than 0,0,0");
     }
     if (summary.has("parameters"))
@@ -125,6 +137,8 @@ void RunReader::read_summary() {
                 notes_.push_back(note.get<std::string>());
     if (const auto seconds = json.find("prepare_seconds"); seconds != json.end() && seconds->is_number())
         prepare_seconds_ = seconds->get<double>();
+    if (const auto threads = json.find("threads"); threads != json.end() && threads->is_number_integer())
+        threads_ = static_cast<int>(std::clamp<long long>(threads->get<long long>(), 0, 1'000'000));
     scene_ = std::move(scene);
 }
 
@@ -305,6 +319,7 @@ RecordingPtr RunReader::read_recording(const JobControl& control) const {
     for (const std::string& note : notes_)
         recording->add_note(note);
     recording->set_prepare_seconds(prepare_seconds_);
+    recording->set_threads(threads_);
     for (std::size_t i = 0; i < frames_.size(); ++i) {
         control.checkpoint("read frames", static_cast<double>(i) / static_cast<double>(frames_.size()));
         recording->append(read_frame(frames_[i]));

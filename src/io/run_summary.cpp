@@ -109,7 +109,7 @@ Json model_json(const ModelMotion& motion) {
 } // namespace
 
 std::string run_summary(const Recording& recording, const RunOutputOptions& options,
-                        const std::vector<int>& vtp_frames) {
+                        const std::vector<int>& vtp_frames, const std::vector<std::string>& exports) {
     const Scene& scene = recording.scene();
     const RunSpeed speed = run_speed(recording);
     const FramePtr last = recording.last_frame();
@@ -119,7 +119,7 @@ std::string run_summary(const Recording& recording, const RunOutputOptions& opti
     Json json;
     json["scene"] = scene.name;
     json["method"] = scene.parameters.get_choice("solver.method");
-    json["threads"] = options.threads;
+    json["threads"] = recording.threads() > 0 ? recording.threads() : options.threads;
     json["iterations"] = passes_per_frame(scene.parameters);
     json["frames"] = last ? last->index : 0;
     json["prepare_seconds"] = recording.prepare_seconds();
@@ -185,6 +185,8 @@ std::string run_summary(const Recording& recording, const RunOutputOptions& opti
     json["inputs"] = std::move(inputs);
     json["notes"] = recording.notes();
     json["vtp_frames"] = vtp_frames;
+    if (!exports.empty())
+        json["exports"] = exports;
     json["program"] = {{"name", "fascicle"},
                        {"version", program_version()},
                        {"compiler", compiler_name()},

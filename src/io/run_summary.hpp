@@ -5,8 +5,8 @@
 
 namespace fascicle::io {
 
-/// Indented JSON text. vtp_frames: the frames that have files.
+/// Indented JSON text. vtp_frames: the frames that have files. exports: further files of the run, relative to its folder.
 std::string run_summary(const Recording& recording, const RunOutputOptions& options,
-                        const std::vector<int>& vtp_frames);
+                        const std::vector<int>& vtp_frames, const std::vector<std::string>& exports = {});
 
 } // namespace fascicle::io

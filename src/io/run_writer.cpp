@@ -14,6 +14,7 @@
 #include "fascicle/metrics/run_difference.hpp"
 #include "fascicle/scene/line_muscles.hpp"
 #include "fascicle/scene/model_motion.hpp"
+#include "io/earlier_exports.hpp"
 #include "io/formats/pvd.hpp"
 #include "io/run_files.hpp"
 #include "io/run_summary.hpp"
@@ -35,7 +36,7 @@ struct RunWriter::Impl {
     AtomicFile metrics_file, motion_file;
     CsvWriter metrics{metrics_file.stream()}, motion{motion_file.stream()};
     std::vector<std::vector<Attachment>> attachments;
-    std::vector<int> vtp_frames;
+    std::vector<int> kept; ///< frames that get files: every K-th, and in the end the last
     struct MetricsLine {
         int frame;
         std::size_t muscle;
@@ -57,6 +58,8 @@ struct RunWriter::Impl {
     void write_bones() const;
     void write_frame(const Frame& frame, const std::vector<std::vector<NamedArray>>& arrays);
     std::vector<NamedArray> attachment_arrays(std::size_t muscle) const;
+    std::set<fs::path> written() const;
+    void write_summary(const Recording& recording, const std::vector<std::string>& exports = {}) const;
     void remove_stale(bool after_a_run, const std::set<fs::path>& written) const;
     void commit();
 };
@@ -104,7 +107,6 @@ void RunWriter::Impl::write_frame(const Frame& frame, const std::vector<std::vec
         write_stamped_file(folder / io::frame_file(scene->muscles[m].name, frame.index), data,
                            stamp_of(scene->unit));
     }
-    vtp_frames.push_back(frame.index);
 }
 
 /// What an earlier run in the same folder left and this one did not replace would pass for its own. Only what has names of ours.
@@ -121,7 +123,7 @@ void RunWriter::Impl::remove_stale(bool after_a_run, const std::set<fs::path>& w
         for (const Muscle& muscle : scene->muscles)
             stale.push_back(io::series_file(muscle.name));
     }
-    if (after_a_run)
+    if (after_a_run) // pictures of versions that did not say what they exported
         stale.insert(stale.end(), {"rest.png", "flexed.png", "last.png", "film_strip.png"});
     for (const fs::path& file : stale)
         if (written.count(file) == 0)
@@ -173,8 +175,11 @@ void RunWriter::add_frame(FramePtr frame, const std::vector<std::vector<double>>
     }
     if (!me.metrics_file.stream() || !me.motion_file.stream())
         throw_error(me.folder.string(), "cannot write the tables of the run", "space on the disk");
-    if (me.options.vtp && frame->index % me.options.every == 0)
-        me.write_frame(*frame, point_arrays);
+    if (frame->index % me.options.every == 0) {
+        me.kept.push_back(frame->index);
+        if (me.options.vtp)
+            me.write_frame(*frame, point_arrays);
+    }
     me.last = std::move(frame);
     me.last_arrays = std::move(point_arrays);
 }
@@ -217,7 +222,7 @@ void RunWriter::Impl::write_metrics(const std::vector<const FibreSeries*>& serie
     }
 }
 
-/// fibres.csv, and the polylines of the frames whose surfaces were written.
+/// fibres.csv, and polylines of the frames that are kept.
 void RunWriter::Impl::write_fibres(const Recording& recording,
                                    const std::vector<const FibreSeries*>& series) {
     std::vector<const FibreSeries*> present;
@@ -226,9 +231,11 @@ void RunWriter::Impl::write_fibres(const Recording& recording,
         if (series[m] == nullptr)
             continue;
         present.push_back(series[m]);
+        if (!options.polylines)
+            continue;
         FibreSet fibres = series[m]->rest();
         std::vector<std::pair<double, std::string>> steps;
-        for (const int k : vtp_frames) {
+        for (const int k : kept) {
             const FramePtr frame =
                 frame_not_after(recording, k); // its place is another in what was read from a thinned run
             FASCICLE_ASSERT(frame != nullptr && frame->index == k);
@@ -248,12 +255,27 @@ void RunWriter::Impl::write_fibres(const Recording& recording,
 void RunWriter::Impl::commit() {
     std::error_code ignored;
     const bool after_a_run = fs::is_regular_file(target / "summary.json", ignored);
-    std::set<fs::path> written;
+    const std::set<fs::path> files = written();
+    const std::vector<fs::path> earlier = io::earlier_exports(target);
+    staged.commit(*scene);
+    remove_stale(after_a_run, files);
+    io::remove_exports(target, earlier, files, inputs_of(*scene));
+}
+
+std::set<fs::path> RunWriter::Impl::written() const {
+    std::error_code ignored;
+    std::set<fs::path> files;
     for (fs::recursive_directory_iterator it(folder, ignored), end; !ignored && it != end;
          it.increment(ignored))
-        written.insert(it->path().lexically_relative(folder));
-    staged.commit(*scene);
-    remove_stale(after_a_run, written);
+        if (!it->is_directory(ignored))
+            files.insert(it->path().lexically_relative(folder));
+    return files;
+}
+
+void RunWriter::Impl::write_summary(const Recording& recording,
+                                    const std::vector<std::string>& exports) const {
+    write_file(folder / "summary.json",
+               io::run_summary(recording, options, options.vtp ? kept : std::vector<int>{}, exports));
 }
 
 void RunWriter::finish(const Recording& recording, const std::vector<const FibreSeries*>& series,
@@ -262,13 +284,16 @@ void RunWriter::finish(const Recording& recording, const std::vector<const Fibre
     me.write_metrics(series);
     if (!me.metrics_file.stream())
         throw_error(me.folder.string(), "cannot write the tables of the run", "space on the disk");
-    if (me.options.vtp && me.last && (me.vtp_frames.empty() || me.vtp_frames.back() != me.last->index))
-        me.write_frame(*me.last, me.last_arrays);
+    if (me.last && (me.kept.empty() || me.kept.back() != me.last->index)) {
+        me.kept.push_back(me.last->index);
+        if (me.options.vtp)
+            me.write_frame(*me.last, me.last_arrays);
+    }
     if (me.options.vtp) {
         const double frame_time = me.scene->parameters.get("solver.frame_time");
         for (const Muscle& muscle : me.scene->muscles) {
             std::vector<std::pair<double, std::string>> files;
-            for (const int frame : me.vtp_frames)
+            for (const int frame : me.kept)
                 files.emplace_back(frame * frame_time, io::frame_file(muscle.name, frame).generic_string());
             AtomicFile file(me.folder / io::series_file(muscle.name));
             io::write_pvd(file.stream(), files);
@@ -280,12 +305,19 @@ void RunWriter::finish(const Recording& recording, const std::vector<const Fibre
         write_line_table(me.folder / "lines.csv", line_series(recording));
     me.metrics_file.commit();
     me.motion_file.commit();
-    write_file(me.folder / "summary.json", io::run_summary(recording, me.options, me.vtp_frames));
+    me.write_summary(recording);
     if (!more)
         return me.commit();
     std::exception_ptr failure;
     try {
+        const std::set<fs::path> before = me.written();
         more(me.folder);
+        std::vector<std::string> exports; // the next run in this folder removes them: they are of this one
+        for (const fs::path& file : me.written())
+            if (before.count(file) == 0)
+                exports.push_back(file.generic_string());
+        if (!exports.empty() && me.options.list_exports)
+            me.write_summary(recording, exports);
     } catch (...) {
         failure = std::current_exception();
     }

@@ -28,29 +28,6 @@ fs::path resolved(const fs::path& path) {
     return error ? path : found;
 }
 
-std::set<fs::path> inputs_of(const Scene& scene) {
-    std::set<fs::path> inputs;
-    const auto add = [&](const MeshSource& source) {
-        if (!source.path.empty())
-            inputs.insert(source.path);
-    };
-    add(scene.motion_source);
-    if (scene.model_motion != nullptr)
-        add(scene.model_motion->model_source);
-    if (scene.line_muscles != nullptr)
-        add(scene.line_muscles->source);
-    for (const Bone& bone : scene.bones)
-        add(bone.source);
-    for (const Muscle& muscle : scene.muscles) {
-        add(muscle.source);
-        add(muscle.surface_fibres_source);
-        add(muscle.fibre_template_source);
-        for (const MeshSource& source : muscle.outline_files)
-            add(source);
-    }
-    return inputs;
-}
-
 /// "hip_0012.png": begin and end around the number of at least four digits, empty begin when it is none.
 struct SeriesName {
     std::string begin, end;

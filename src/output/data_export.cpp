@@ -15,6 +15,7 @@ RecordingPtr copy_of(const Recording& recording) {
     for (const std::string& note : recording.notes())
         copy->add_note(note);
     copy->set_prepare_seconds(recording.prepare_seconds());
+    copy->set_threads(recording.threads());
     const RunState state = recording.state();
     const int count = recording.frame_count();
     for (int k = 0; k < count; ++k)

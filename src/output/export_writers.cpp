@@ -58,7 +58,10 @@ std::vector<const FibreSeries*> series_of(const MetricsEngine& metrics, std::siz
 void write_run(const fs::path& folder, const Recording& recording, bool vtp, int threads,
                const JobControl& control) {
     const std::size_t muscles = recording.scene().muscles.size();
-    RunWriter writer(folder, recording.scene_ptr(), {vtp, 1, {}, threads});
+    RunOutputOptions output;
+    output.vtp = output.polylines = vtp;
+    output.threads = threads;
+    RunWriter writer(folder, recording.scene_ptr(), output);
     writer.set_attachments(recording.attachments());
     MetricsEngine metrics(recording, threads);
     const int count = recording.frame_count();

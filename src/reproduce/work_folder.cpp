@@ -222,6 +222,8 @@ void WorkFolder::simulate(const RunRequest& request, const fs::path& folder, con
     RunOutputOptions output;
     output.vtp = request.every > 0;
     output.every = std::max(1, request.every);
+    output.polylines = output.vtp;
+    output.list_exports = false; // the list of files has a hash of the summary
     output.threads = threads_;
     RunWriter writer(folder, request.scene, output);
     SimulationOptions options{threads_, cache_};

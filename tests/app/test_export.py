@@ -36,6 +36,41 @@ class ExportTest(ProgramTest):
         self.simulate("a")  # without fibres: the table would pass for its own
         self.assertFalse(table.exists())
 
+    def test_exports_of_an_earlier_run_go_with_it(self):
+        source, _ = write_scene(self.folder / "scene")
+        run = self.folder / "a"
+        simulate = ["simulate", *source, "--threads", "1", "--quiet", "--out", "a"]
+        self.check_done(*simulate, "--export", "json,obj,glb,usda")
+        self.assertTrue((run / "metrics.json").exists() and (run / "strap.glb").exists())
+        summary = json.loads((run / "summary.json").read_text())
+        self.assertIn("metrics.json", summary["exports"])
+        self.assertEqual(sorted(summary["exports"]), sorted(name for name in file_hashes(run) if name not in
+                         ("summary.json", "metrics.csv", "motion.csv")))
+        (run / "obj" / "mine.txt").write_text("mine")
+        (run / "notes.txt").write_text("mine")
+        (self.folder / "far.txt").write_text("mine")
+        for path in ("../far.txt", str(self.folder / "far.txt"), "obj/../notes.txt", "obj", "", 3):
+            summary["exports"].append(path)  # a summary may say anything
+        (run / "summary.json").write_text(json.dumps(summary))
+        self.check_done(*simulate, "--export", "usda")
+        self.assertEqual(sorted(file_hashes(run)),
+                         ["metrics.csv", "motion.csv", "notes.txt", "obj/mine.txt", "strap.usda", "summary.json"])
+        self.assertTrue((self.folder / "far.txt").exists())
+        # An export that has become an input stays.
+        self.check_done(*simulate, "--export", "pc2")
+        strap = run / "pc2" / "strap.obj"
+        before = strap.read_bytes()
+        self.check_done(*[strap if str(word).endswith("strap.obj") else word for word in simulate])
+        self.assertEqual(strap.read_bytes(), before)
+        self.assertFalse((run / "pc2" / "strap.pc2").exists())
+
+    def test_fibres_are_polylines_without_being_asked_for(self):
+        self.check_done("simulate", *write_scene(self.folder / "scene")[0], "--set", "fibres.method=kukacka", "--set",
+                        "fibres.count=4", "--every", "5", "--threads", "1", "--quiet", "--out", "a")
+        self.assertEqual(sorted(p.name for p in (self.folder / "a" / "fibres").glob("*.vtp")),
+                         [f"strap.{k:04d}.vtp" for k in (0, 5, 10, 12)])
+        self.assertFalse((self.folder / "a" / "frames").exists())
+
     def test_frames_are_refused_where_there_is_no_choice(self):
         self.simulate("a")
         for kind in ("metrics", "json", "run", "osim"):
@@ -49,6 +84,10 @@ class ExportTest(ProgramTest):
         self.check_done("export", "thin", "--as", "run", "--out", "again")
         summary = json.loads((self.folder / "again" / "summary.json").read_text())
         self.assertEqual(summary["vtp_frames"], [0, 5, 10, 12])
+        first = json.loads((self.folder / "thin" / "summary.json").read_text())
+        self.assertTrue(all(entry["hash"] for entry in first["inputs"]))
+        for key in ("inputs", "threads", "method", "parameters"):  # facts of the run, not of the export
+            self.assertEqual(summary[key], first[key], key)
         for frame in summary["vtp_frames"]:  # the fibres of that frame, not of the one in its place
             name = f"fibres/strap.{frame:04d}.vtp"
             self.assertEqual(self.lengths("again", name), self.lengths("whole", name), frame)

@@ -4,9 +4,13 @@
 #include "fascicle/scene/scene.hpp"
 
 #include <filesystem>
+#include <set>
 #include <vector>
 
 namespace fascicle {
+
+/// Every file that the scene was read from.
+std::set<std::filesystem::path> inputs_of(const Scene& scene);
 
 /// Error unless the names of all bones and muscles call files of their own (file_name_for).
 void require_file_names(const Scene& scene);

@@ -57,6 +57,7 @@ private:
     std::map<int, double> angles_;         ///< rad, by number of the frame: all that metrics.csv has
     std::vector<double> solve_seconds_;    ///< by place in frames_
     std::vector<std::string> notes_;       ///< that the run left
+    int threads_ = 0;
     double prepare_seconds_ = 0;
 };
 

@@ -13,11 +13,15 @@ namespace fascicle {
 
 struct RunOutputOptions {
     bool vtp = false; ///< frames/<muscle>.<frame>.vtp, <muscle>.pvd, bones/<bone>.vtp
-    int every = 1;    ///< write every K-th frame as vtp, the last always; the tables have every frame
+    int every =
+        1; ///< write every K-th frame as vtp, its fibres, too, and the last always; the tables have every frame
     /// Columns of metrics.csv after frame, muscle and angle_deg: the keys of metric_table(), which
     /// stand in when this is empty.
     std::vector<std::string> metric_columns;
-    int threads = 1; ///< that the run uses, for the summary
+    int threads = 1; ///< for the summary of a recording that does not say how many its run had
+    bool list_exports =
+        true; ///< what finish() lets others write, in the summary: not where they write down a hash of that
+    bool polylines = true; ///< of fibres, where there are some: fibres/<muscle>.<frame>.vtp
 };
 
 /// Writes a run into a hidden folder beside the final files, and gives all of them their names at once in finish(), so that the folder
@@ -42,9 +46,9 @@ public:
 
     /// Writes tables, series and summary, and gives everything its name. The recording may have ended early: what is done
     /// counts. series: of the muscles that have fibres, by muscle, null for the others (or empty), with the frames added: fibres.csv, the
-    /// columns of metrics.csv that the whole run decides, and, with vtp, fibres/<muscle>.<frame>.vtp. Without any series the columns of
+    /// columns of metrics.csv that the whole run decides, and fibres/<muscle>.<frame>.vtp. Without any series the columns of
     /// fibres are left out. more: writes further files, into the folder that it is given; when it fails the run is kept without
-    /// them, and its error is the last word.
+    /// them, and its error is the last word. The summary lists them, so that the next run in this folder removes what is not its own.
     void finish(const Recording& recording, const std::vector<const FibreSeries*>& series = {},
                 const std::function<void(const std::filesystem::path&)>& more = {});
 

@@ -70,9 +70,13 @@ protected:
             push_out();
             const double off = volume_kept_ ? volume_off() : 0.0;
             const bool held = deepest <= 2.0 * depth_left * lattice_.spacing || round + 1 >= contact_rounds;
-            if (balanced && held && std::abs(off) <= volume_tolerance)
+            if (balanced && held && std::abs(off) <= volume_tolerance) {
+                if (lost_ > 0)
+                    break;
                 return;
-            volume_.ratio += off;
+            }
+            // Where bones leave no room for the volume it would grow without end, and push for ever after.
+            volume_.ratio = std::clamp(volume_.ratio + off, 0.5 * wanted_, 2.0 * wanted_);
         }
         note_unconverged();
     }
@@ -94,10 +98,12 @@ private:
     double volume_off() const {
         return wanted_ - signed_volume(positions(), problem().surface->triangles) / rest_volume_;
     }
-    /// Planes for what is near a solid now; the greatest depth below the contact offset.
+    /// Planes for what is near a solid now; the greatest depth below the contact offset. What is so deep that no way out shows has no
+    /// plane and is counted.
     double place_touches() {
         touches_.clear();
         statics_.touches().clear();
+        lost_ = 0;
         double deepest = 0.0;
         const double near = 0.5 * lattice_.spacing, young = param("fem.young_kpa");
         for (std::size_t i = 0; i < rest().size(); ++i) {
@@ -111,6 +117,7 @@ private:
                 const double slope = sample.gradient.norm();
                 if (contact().offset - sample.value < -near || slope < least_slope) {
                     shifts_[touch] = 0.0;
+                    lost_ += sample.value < contact().offset ? 1 : 0;
                     continue;
                 }
                 const Vec3 out = solid.now.rotation * sample.gradient / slope;
@@ -155,6 +162,7 @@ private:
     std::vector<std::size_t> attached_; ///< vertex of each pull
     std::vector<std::size_t> touches_;  ///< place in shifts_ of each touch
     std::vector<double> shifts_;        ///< V x solids: multiplier over stiffness
+    std::size_t lost_ = 0;              ///< vertices in solids without a plane
     double rest_volume_ = 0, wanted_ = 1;
     bool volume_kept_ = true;
     TetVolume volume_;

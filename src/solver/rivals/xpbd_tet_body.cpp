@@ -19,6 +19,8 @@ std::size_t at(int i) {
 constexpr double density = 1.056e-6;
 /// Below this it may be a last volume step as well.
 constexpr double least_push_mm = 1e-3;
+/// Damping of a pass beyond which the speed before it cannot be told any more: e^30 is enough.
+constexpr double most_damped = 30;
 /// Volume and contact in turn, in a substep.
 constexpr int contact_rounds = 3;
 
@@ -58,7 +60,7 @@ public:
     Points last_step() const override {
         Points moves = velocity_;
         for (Vec3& move : moves)
-            move *= std::exp(damping_ * seconds_) * seconds_;
+            move *= std::exp(std::min(damping_ * seconds_, most_damped)) * seconds_;
         Points steps(rest().size(), Vec3::Zero());
         for (std::size_t i = 0; i < steps.size(); ++i)
             if (lattice_.bindings[i].tet >= 0)

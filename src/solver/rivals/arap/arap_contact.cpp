@@ -65,6 +65,10 @@ void ArapContact::add_targets(const Points& x, const ArapCells& cells, std::span
                 continue;
             const Nearest nearest = look(x[i], solids);
             const double old = multiplier_[i];
+            if (nearest.normal.isZero(0.0)) { // deep inside: no way out to be pushed along
+                b[i] += strength_ * cells.weight_at(i) * x[i];
+                continue;
+            }
             multiplier_[i] = std::clamp(settings.offset - nearest.value + old, 0.0, limit_);
             b[i] += strength_ * cells.weight_at(i) * (x[i] + (2.0 * multiplier_[i] - old) * nearest.normal);
         }

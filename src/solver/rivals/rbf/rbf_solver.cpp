@@ -124,7 +124,8 @@ void RbfSolver::deform(double) {
     wanted_.clear();
     for (int round = 1; round <= contact_rounds && !solids().empty() && most_contacts_ > 0; ++round) {
         find_targets();
-        if (!choose_centres(static_cast<std::size_t>(most_contacts_ * round / contact_rounds)))
+        if (!choose_centres(
+                static_cast<std::size_t>((most_contacts_ * round + contact_rounds - 1) / contact_rounds)))
             break;
         bend();
     }

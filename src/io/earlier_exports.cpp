@@ -1,0 +1,67 @@
+#include "io/earlier_exports.hpp"
+
+#include "fascicle/base/error.hpp"
+#include "fascicle/io/files.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace fascicle::io {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t most_bytes = std::size_t{64} << 20; // of a summary
+
+/// Whether a path of the summary leads to a file of that folder: it may have been written by anybody.
+bool is_inside(const fs::path& folder, const fs::path& file) {
+    if (file.empty() || file.is_absolute() || file != file.lexically_normal() || *file.begin() == "..")
+        return false;
+    std::error_code error;
+    for (fs::path parent = file.parent_path(); !parent.empty(); parent = parent.parent_path())
+        if (!fs::is_directory(fs::symlink_status(folder / parent, error)))
+            return false;
+    return fs::is_regular_file(fs::symlink_status(folder / file, error));
+}
+
+} // namespace
+
+std::vector<fs::path> earlier_exports(const fs::path& folder) {
+    std::vector<fs::path> files;
+    try {
+        std::error_code error;
+        if (!fs::is_regular_file(folder / "summary.json", error))
+            return files;
+        const nlohmann::json summary =
+            nlohmann::json::parse(read_file(folder / "summary.json", most_bytes), nullptr, false);
+        const auto list = summary.is_object() ? summary.find("exports") : summary.end();
+        if (list == summary.end() || !list->is_array())
+            return files;
+        for (const nlohmann::json& entry : *list)
+            if (entry.is_string() && is_inside(folder, entry.get<std::string>()))
+                files.emplace_back(entry.get<std::string>());
+    } catch (const Error&) { // not to be read: nothing is known of it
+        files.clear();
+    }
+    return files;
+}
+
+void remove_exports(const fs::path& folder, const std::vector<fs::path>& files,
+                    const std::set<fs::path>& written, const std::set<fs::path>& inputs) {
+    std::error_code ignored;
+    const auto is_input = [&](const fs::path& file) {
+        for (const fs::path& input : inputs)
+            if (fs::equivalent(input, file, ignored))
+                return true;
+        return false;
+    };
+    for (const fs::path& file : files) {
+        if (written.count(file) > 0 || is_input(folder / file))
+            continue;
+        fs::remove(folder / file, ignored);
+        for (fs::path parent = file.parent_path(); !parent.empty(); parent = parent.parent_path())
+            if (!fs::is_empty(folder / parent, ignored) || !fs::remove(folder / parent, ignored))
+                break;
+    }
+}
+
+} // namespace fascicle::io
