@@ -29,7 +29,8 @@ function(fascicle_unity target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()
 
-foreach(target core io bench exports output reproduce view editor_lib cli tests fuzz_targets)
+# Not the targets of fuzzing: a program of one of them is to hold no more than that.
+foreach(target core io bench exports output reproduce view editor_lib cli tests)
   if(TARGET fascicle_${target})
     fascicle_unity(fascicle_${target})
   endif()
