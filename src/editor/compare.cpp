@@ -156,7 +156,8 @@ void Compare::resolve(const EditorContext& context) {
             *number = automatic_run;
     shelf.hold({choice.a, choice.b});
     const RecordingPtr present = context.runs.recording();
-    if (Key key{choice.a, choice.b, shelf.version(), present}; key != key_)
+    const ScenePtr named = present != nullptr ? present->scene_ptr() : nullptr;
+    if (Key key{choice.a, choice.b, shelf.version(), present, named}; key != key_)
         key_ = std::move(key);
     else
         return;

@@ -108,6 +108,7 @@ private:
     struct Key {
         int a = 0, b = 0, shelf = -1;
         RecordingPtr present;
+        ScenePtr named; ///< its scene: muscles may be renamed
         bool operator==(const Key&) const = default;
     };
     void resolve(const EditorContext& context);

@@ -25,6 +25,14 @@ bool is_inside(const fs::path& folder, const fs::path& file) {
 
 } // namespace
 
+ExportedFile exported_file(const fs::path& folder, const fs::path& file) {
+    std::error_code error;
+    ExportedFile result{file, fs::file_size(folder / file, error), 0};
+    result.written =
+        static_cast<long long>(fs::last_write_time(folder / file, error).time_since_epoch().count());
+    return result;
+}
+
 std::vector<fs::path> earlier_exports(const fs::path& folder) {
     std::vector<fs::path> files;
     try {
@@ -37,8 +45,17 @@ std::vector<fs::path> earlier_exports(const fs::path& folder) {
         if (list == summary.end() || !list->is_array())
             return files;
         for (const nlohmann::json& entry : *list)
-            if (entry.is_string() && is_inside(folder, entry.get<std::string>()))
-                files.emplace_back(entry.get<std::string>());
+            if (entry.is_object() && entry.value("file", nlohmann::json()).is_string() &&
+                entry.value("bytes", nlohmann::json()).is_number_unsigned() &&
+                entry.value("written", nlohmann::json()).is_number_integer()) {
+                const fs::path file = entry["file"].get<std::string>();
+                if (!is_inside(folder, file))
+                    continue;
+                const ExportedFile now = exported_file(folder, file);
+                if (now.bytes == entry["bytes"].get<std::uintmax_t>() && // else it has become somebody's own
+                    now.written == entry["written"].get<long long>())
+                    files.push_back(file);
+            }
     } catch (const Error&) { // not to be read: nothing is known of it
         files.clear();
     }
@@ -54,8 +71,11 @@ void remove_exports(const fs::path& folder, const std::vector<fs::path>& files,
                 return true;
         return false;
     };
+    for (const fs::path& file : files)
+        if (is_input(folder / file))
+            return;
     for (const fs::path& file : files) {
-        if (written.count(file) > 0 || is_input(folder / file))
+        if (written.count(file) > 0)
             continue;
         fs::remove(folder / file, ignored);
         for (fs::path parent = file.parent_path(); !parent.empty(); parent = parent.parent_path())

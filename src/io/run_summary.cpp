@@ -109,7 +109,7 @@ Json model_json(const ModelMotion& motion) {
 } // namespace
 
 std::string run_summary(const Recording& recording, const RunOutputOptions& options,
-                        const std::vector<int>& vtp_frames, const std::vector<std::string>& exports) {
+                        const std::vector<int>& vtp_frames, const std::vector<ExportedFile>& exports) {
     const Scene& scene = recording.scene();
     const RunSpeed speed = run_speed(recording);
     const FramePtr last = recording.last_frame();
@@ -185,8 +185,9 @@ std::string run_summary(const Recording& recording, const RunOutputOptions& opti
     json["inputs"] = std::move(inputs);
     json["notes"] = recording.notes();
     json["vtp_frames"] = vtp_frames;
-    if (!exports.empty())
-        json["exports"] = exports;
+    for (const ExportedFile& e : exports)
+        json["exports"].push_back(
+            {{"file", e.file.generic_string()}, {"bytes", e.bytes}, {"written", e.written}});
     json["program"] = {{"name", "fascicle"},
                        {"version", program_version()},
                        {"compiler", compiler_name()},

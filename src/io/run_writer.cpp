@@ -59,7 +59,7 @@ struct RunWriter::Impl {
     void write_frame(const Frame& frame, const std::vector<std::vector<NamedArray>>& arrays);
     std::vector<NamedArray> attachment_arrays(std::size_t muscle) const;
     std::set<fs::path> written() const;
-    void write_summary(const Recording& recording, const std::vector<std::string>& exports = {}) const;
+    void write_summary(const Recording& recording, const std::vector<io::ExportedFile>& exports = {}) const;
     void remove_stale(bool after_a_run, const std::set<fs::path>& written) const;
     void commit();
 };
@@ -273,7 +273,7 @@ std::set<fs::path> RunWriter::Impl::written() const {
 }
 
 void RunWriter::Impl::write_summary(const Recording& recording,
-                                    const std::vector<std::string>& exports) const {
+                                    const std::vector<io::ExportedFile>& exports) const {
     write_file(folder / "summary.json",
                io::run_summary(recording, options, options.vtp ? kept : std::vector<int>{}, exports));
 }
@@ -309,17 +309,23 @@ void RunWriter::finish(const Recording& recording, const std::vector<const Fibre
     if (!more)
         return me.commit();
     std::exception_ptr failure;
+    const std::set<fs::path> before = me.written();
     try {
-        const std::set<fs::path> before = me.written();
         more(me.folder);
-        std::vector<std::string> exports; // the next run in this folder removes them: they are of this one
-        for (const fs::path& file : me.written())
-            if (before.count(file) == 0)
-                exports.push_back(file.generic_string());
+    } catch (...) {
+        failure = std::current_exception();
+    }
+    // What is there of them, all or some: the next run in this folder removes it, since it is of this one.
+    std::vector<io::ExportedFile> exports;
+    for (const fs::path& file : me.written())
+        if (before.count(file) == 0)
+            exports.push_back(io::exported_file(me.folder, file));
+    try {
         if (!exports.empty() && me.options.list_exports)
             me.write_summary(recording, exports);
     } catch (...) {
-        failure = std::current_exception();
+        if (!failure)
+            failure = std::current_exception();
     }
     me.commit();
     if (failure)

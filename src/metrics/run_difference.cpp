@@ -30,6 +30,16 @@ std::string mesh_problem(const Muscle& a, const Muscle& b) {
     return a.name + " has other meshes: " + counts(*a.mesh) + " in A, " + counts(*b.mesh) + " in B";
 }
 
+/// The muscle of the other run: by name, and where one was renamed by its very mesh; -1 when there is none.
+int partner_of(const Muscle& muscle, const Scene& own, const Scene& other) {
+    if (const int same = other.muscle_index(muscle.name); same >= 0)
+        return same;
+    for (std::size_t m = 0; m < other.muscles.size(); ++m)
+        if (other.muscles[m].mesh == muscle.mesh && own.muscle_index(other.muscles[m].name) < 0)
+            return static_cast<int>(m);
+    return -1;
+}
+
 } // namespace
 
 RunMatch match_runs(const Scene& a, const Scene& b) {
@@ -41,7 +51,7 @@ RunMatch match_runs(const Scene& a, const Scene& b) {
     }
     for (std::size_t i = 0; i < a.muscles.size(); ++i) {
         const Muscle& muscle = a.muscles[i];
-        const int other = b.muscle_index(muscle.name);
+        const int other = partner_of(muscle, a, b);
         if (other < 0) {
             match.left_out.push_back(muscle.name + " is only in A");
             continue;
@@ -53,7 +63,7 @@ RunMatch match_runs(const Scene& a, const Scene& b) {
             match.left_out.push_back(problem);
     }
     for (const Muscle& muscle : b.muscles)
-        if (a.muscle_index(muscle.name) < 0)
+        if (partner_of(muscle, b, a) < 0)
             match.left_out.push_back(muscle.name + " is only in B");
     if (match.muscles.empty())
         match.reason = match.left_out.empty() ? "the runs have no muscles" : match.left_out.front();

@@ -43,14 +43,14 @@ class ExportTest(ProgramTest):
         self.check_done(*simulate, "--export", "json,obj,glb,usda")
         self.assertTrue((run / "metrics.json").exists() and (run / "strap.glb").exists())
         summary = json.loads((run / "summary.json").read_text())
-        self.assertIn("metrics.json", summary["exports"])
-        self.assertEqual(sorted(summary["exports"]), sorted(name for name in file_hashes(run) if name not in
+        self.assertEqual(sorted(entry["file"] for entry in summary["exports"]), sorted(name for name in file_hashes(run) if name not in
                          ("summary.json", "metrics.csv", "motion.csv")))
         (run / "obj" / "mine.txt").write_text("mine")
         (run / "notes.txt").write_text("mine")
         (self.folder / "far.txt").write_text("mine")
-        for path in ("../far.txt", str(self.folder / "far.txt"), "obj/../notes.txt", "obj", "", 3):
-            summary["exports"].append(path)  # a summary may say anything
+        for path in ("../far.txt", str(self.folder / "far.txt"), "obj/../notes.txt", "obj", "", 3, "notes.txt"):
+            summary["exports"].append({"file": path, "bytes": 4, "written": 3})  # a summary may say anything
+        summary["exports"] += ["notes.txt", {"file": "notes.txt"}, None]
         (run / "summary.json").write_text(json.dumps(summary))
         self.check_done(*simulate, "--export", "usda")
         self.assertEqual(sorted(file_hashes(run)),
@@ -62,7 +62,13 @@ class ExportTest(ProgramTest):
         before = strap.read_bytes()
         self.check_done(*[strap if str(word).endswith("strap.obj") else word for word in simulate])
         self.assertEqual(strap.read_bytes(), before)
-        self.assertFalse((run / "pc2" / "strap.pc2").exists())
+        self.assertTrue((run / "pc2" / "strap.pc2").exists())  # it may need the others
+        # So does one that somebody has changed.
+        self.check_done(*simulate, "--export", "json,usda")
+        (run / "metrics.json").write_text("{}")
+        self.check_done(*simulate)
+        self.assertTrue((run / "metrics.json").exists())
+        self.assertFalse((run / "strap.usda").exists())
 
     def test_fibres_are_polylines_without_being_asked_for(self):
         self.check_done("simulate", *write_scene(self.folder / "scene")[0], "--set", "fibres.method=kukacka", "--set",

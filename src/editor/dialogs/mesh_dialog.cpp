@@ -40,6 +40,8 @@ void MeshDialog::open_with(const std::vector<fs::path>& files) {
 }
 
 void MeshDialog::close() {
+    if (open_ && appears_)
+        return; // it waits behind another dialog, which is the one that is closed
     batch_.clear();
     preview_.release();
     selected_ = -1;

@@ -73,6 +73,9 @@ private:
         const int bone = scene.bone_index(was), muscle = scene.muscle_index(was);
         if (bone < 0 && muscle < 0)
             return; // undone or removed meanwhile
+        if ((bone >= 0 ? scene.bones[static_cast<std::size_t>(bone)].mesh
+                       : scene.muscles[static_cast<std::size_t>(muscle)].mesh) != edited_mesh_)
+            return; // another document has something of that name
         if (!(bone >= 0 ? actions::rename_bone(context.document, bone, edited_name_)
                         : actions::rename_muscle(context.document, muscle, edited_name_)))
             refuse_name(context);
@@ -84,11 +87,12 @@ private:
 
     /// The name, to be typed over. Taken and empty names are refused on Enter.
     template <class Rename>
-    void name_field(EditorContext& context, const std::string& name, Rename rename) {
+    void name_field(EditorContext& context, const std::string& name, const MeshPtr& mesh, Rename rename) {
         if (edited_name_for_ != name) {
             take_name(context);
             edited_name_ = name;
             edited_name_for_ = name;
+            edited_mesh_ = mesh;
         }
         ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
         ImGui::InputText("##name", &edited_name_, ImGuiInputTextFlags_AutoSelectAll);
@@ -128,7 +132,7 @@ private:
 
     void draw_bone(EditorContext& context, int index) {
         const Bone bone = context.document.scene().bones[static_cast<std::size_t>(index)];
-        name_field(context, bone.name, [&](const std::string& name) {
+        name_field(context, bone.name, bone.mesh, [&](const std::string& name) {
             return actions::rename_bone(context.document, index, name);
         });
         const bool moves = actions::bone_moves(context.document.scene(), index);
@@ -146,7 +150,7 @@ private:
 
     void draw_muscle(EditorContext& context, int index) {
         const Muscle muscle = context.document.scene().muscles[static_cast<std::size_t>(index)];
-        name_field(context, muscle.name, [&](const std::string& name) {
+        name_field(context, muscle.name, muscle.mesh, [&](const std::string& name) {
             return actions::rename_muscle(context.document, index, name);
         });
         draw_attachments(context, muscle);
@@ -213,6 +217,7 @@ private:
     }
 
     std::string edited_name_, edited_name_for_;
+    MeshPtr edited_mesh_; ///< of what that name is
     bool typing_ = false; ///< a name, in the frame before
 };
 
