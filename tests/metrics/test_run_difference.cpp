@@ -108,6 +108,26 @@ TEST_CASE("Runs that do not belong together are refused with the reason", "[metr
     CHECK_FALSE(match_runs(Scene{}, Scene{}).comparable());
 }
 
+TEST_CASE("A muscle that was renamed between two runs is known by its mesh", "[metrics][compare]") {
+    Scene a;
+    for (const char* name : {"biceps", "triceps"}) {
+        a.muscles.emplace_back().name = name;
+        a.muscles.back().mesh = std::make_shared<TriMesh>(test::sphere(10, 2));
+    }
+    Scene b = a;
+    b.muscles[0].name = "biceps_long_head";
+    RunMatch match = match_runs(a, b);
+    REQUIRE(match.muscles.size() == 2);
+    CHECK(match.left_out.empty());
+    CHECK(match.muscles[0].a == 0);
+    CHECK(match.muscles[0].b == 0);
+    // A name counts before a mesh; and another mesh is another muscle.
+    b.muscles[0].mesh = std::make_shared<TriMesh>(test::sphere(10, 2));
+    match = match_runs(a, b);
+    CHECK(match.muscles.size() == 1);
+    CHECK(match.left_out.size() == 2);
+}
+
 TEST_CASE("Parameters that differ are listed with both values", "[metrics][compare]") {
     ParamSet a = default_parameters(), b = a;
     CHECK(parameter_differences(a, b).empty());
