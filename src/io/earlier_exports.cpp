@@ -2,8 +2,7 @@
 
 #include "fascicle/base/error.hpp"
 #include "fascicle/io/files.hpp"
-
-#include <nlohmann/json.hpp>
+#include "io/json_fields.hpp"
 
 namespace fascicle::io {
 namespace fs = std::filesystem;
@@ -39,15 +38,15 @@ std::vector<fs::path> earlier_exports(const fs::path& folder) {
         std::error_code error;
         if (!fs::is_regular_file(folder / "summary.json", error))
             return files;
-        const nlohmann::json summary =
-            nlohmann::json::parse(read_file(folder / "summary.json", most_bytes), nullptr, false);
-        const auto list = summary.is_object() ? summary.find("exports") : summary.end();
+        const fs::path path = folder / "summary.json";
+        const Json summary = parse_json_object(read_file(path, most_bytes), path.string());
+        const auto list = summary.find("exports");
         if (list == summary.end() || !list->is_array())
             return files;
-        for (const nlohmann::json& entry : *list)
-            if (entry.is_object() && entry.value("file", nlohmann::json()).is_string() &&
-                entry.value("bytes", nlohmann::json()).is_number_unsigned() &&
-                entry.value("written", nlohmann::json()).is_number_integer()) {
+        for (const Json& entry : *list)
+            if (entry.is_object() && entry.value("file", Json()).is_string() &&
+                entry.value("bytes", Json()).is_number_unsigned() &&
+                entry.value("written", Json()).is_number_integer()) {
                 const fs::path file = entry["file"].get<std::string>();
                 if (!is_inside(folder, file))
                     continue;

@@ -1,6 +1,5 @@
 // The parts of a project beside its meshes: attachments, motion, parameters.
 #include "fascicle/base/error.hpp"
-
 #include "fascicle/base/pose.hpp"
 #include "io/project_json.hpp"
 

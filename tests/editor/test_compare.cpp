@@ -331,6 +331,31 @@ TEST_CASE("While areas are painted the view shows the scene, and the comparison 
     CHECK(d.editor().context().shown().recording == compare(d).b().recording);
 }
 
+TEST_CASE("Playing goes over the frames of the runs that are compared", "[editor][compare][ui]") {
+    Driver d;
+    two_runs(d);
+    change(d, 0.3); // a third run begins, and has five frames for now
+    fill(*d.run()->recording(), 5, step);
+    d.frame(3);
+    REQUIRE(d.editor().runs().recording()->frame_count() == 5);
+    d.state().playback = {};
+    d.state().playback.repeat = Repeat::once;
+    d.state().playback.position = 40;
+    compare(d).choice.a = 2;
+    compare(d).choice.b = 1;
+    d.click("compare/side_by_side");
+    REQUIRE(compare(d).active());
+    CHECK(d.editor().context().available_frames() == 61);
+    CHECK_FALSE(d.editor().context().frames_come());
+    d.key(key_space);
+    for (int i = 0; i < 400 && d.state().playback.playing; ++i)
+        d.frame();
+    CHECK_FALSE(d.state().playback.playing); // it came to the end
+    CHECK(d.state().playback.playhead() == 60);
+    d.click("compare/off");
+    CHECK(d.editor().context().frames_come());
+}
+
 TEST_CASE("B blinks between the runs, Shift+B begins and ends comparing", "[editor][compare][ui]") {
     Driver d;
     d.frame(3);

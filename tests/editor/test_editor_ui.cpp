@@ -1,4 +1,6 @@
+#include "editor/dialogs/dialogs.hpp"
 #include "editor/driver.hpp"
+#include "editor/features.hpp"
 #include "editor/param_effect.hpp"
 #include "fascicle/document/actions/parameter_actions.hpp"
 #include "fascicle/io/files.hpp"
@@ -426,6 +428,30 @@ void frames_until(Driver& d, const std::function<bool()>& there) {
 }
 
 } // namespace
+
+TEST_CASE("A mesh that is dropped while a question is open waits for the answer", "[editor][ui]") {
+    const test::TempDir folder;
+    const auto file = folder.path() / "patella.obj";
+    write_file(file, "v 0 0 0\nv 30 0 0\nv 0 30 0\nv 0 0 30\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    Driver d;
+    d.frame(3);
+    d.editor().dialogs().unsaved.ask("closing the program", [](EditorContext&) {});
+    d.frame(3);
+    REQUIRE(d.has("unsaved/cancel"));
+    d.editor().drop_files({file});
+    frames_until(d, [&] { return !d.editor().features().loader.reading(); });
+    d.frame(3);
+    CHECK(d.has("unsaved/cancel")); // still in front
+    CHECK_FALSE(d.has("mesh/bone"));
+    d.key(key_escape); // answers the question alone
+    frames_until(d, [&] { return d.has("mesh/bone"); });
+    CHECK(d.has("mesh/bone"));
+    CHECK_FALSE(d.has("unsaved/cancel"));
+    d.key(key_escape);
+    d.frame(3);
+    CHECK_FALSE(d.has("mesh/bone"));
+    CHECK(d.document().scene().bones.size() == 2);
+}
 
 TEST_CASE("A dropped mesh is previewed and added as what the user says", "[editor][ui]") {
     const test::TempDir folder;

@@ -142,6 +142,7 @@ TEST_CASE("rbf: contact centres bend the field before the step after must", "[so
             CHECK(with.first->positions()[i].x() < rest[i].x() - 0.05);
         }
     CHECK(beside > 10);
+    CHECK(run(1, 1).first->positions() != without.first->positions()); // one centre is not none
     for (const Vec3& p : with.first->positions())
         CHECK_FALSE((p.x() > 7.5 + 1e-9 && std::abs(p.z()) < 7.5));
     CHECK(run(200, 3).first->positions() == with.first->positions());
