@@ -6,11 +6,17 @@ namespace fascicle {
 
 namespace {
 
+/// Three rows of the table, kept from name to name of a long list.
+struct Rows {
+    std::vector<std::size_t> before2, before, row;
+};
+
 /// The distance, or some number from `most` on when it is no less than that.
-std::size_t edit_distance_below(std::string_view a, std::string_view b, std::size_t most) {
-    // Optimal string alignment, three rows: before[j] is the distance of a's first i-1 letters to b's first
-    // j.
-    std::vector<std::size_t> before2(b.size() + 1), before(b.size() + 1), row(b.size() + 1);
+std::size_t edit_distance_below(std::string_view a, std::string_view b, std::size_t most, Rows& rows) {
+    // Optimal string alignment: before[j] is the distance of a's first i-1 letters to b's first j.
+    auto& [before2, before, row] = rows;
+    for (std::vector<std::size_t>* r : {&before2, &before, &row})
+        r->resize(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j)
         before[j] = j;
     std::size_t least_before = 0;
@@ -36,7 +42,8 @@ std::size_t edit_distance_below(std::string_view a, std::string_view b, std::siz
 } // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-    return edit_distance_below(a, b, a.size() + b.size() + 1);
+    Rows rows;
+    return edit_distance_below(a, b, a.size() + b.size() + 1, rows);
 }
 
 std::string nearest_name(std::string_view word, const std::vector<std::string>& known) {
@@ -45,6 +52,7 @@ std::string nearest_name(std::string_view word, const std::vector<std::string>& 
         return {};
     std::size_t best = std::max<std::size_t>(2, word.size() / 3) + 1;
     std::string name;
+    Rows rows;
     for (const std::string& candidate : known) {
         // Three letters or more that begin a name count as near, however long the name is.
         const bool begins = word.size() >= 3 && candidate.starts_with(word);
@@ -52,7 +60,7 @@ std::string nearest_name(std::string_view word, const std::vector<std::string>& 
                           shorter = std::min(word.size(), candidate.size());
         if (!begins && longer - shorter >= best) // no distance is less than that of the lengths
             continue;
-        std::size_t distance = edit_distance_below(word, candidate, best);
+        std::size_t distance = edit_distance_below(word, candidate, best, rows);
         if (begins)
             distance = std::min<std::size_t>(distance, 1);
         if (distance < best && distance < candidate.size()) {

@@ -181,7 +181,7 @@ void Editor::replace_document(Document document) {
     runs_.forget();
     metrics_.forget();
     reported_ = nullptr;
-    dialogs_->osim.forget();
+    dialogs_->osim.document_replaced();
     state_.selection = {};
     state_.hidden.clear();
     state_.tool = Tool::look;

@@ -226,11 +226,8 @@ void WorkFolder::simulate(const RunRequest& request, const fs::path& folder, con
     output.list_exports = false; // the list of files has a hash of the summary
     output.threads = threads_;
     RunWriter writer(folder, request.scene, output);
-    SimulationOptions options{threads_, cache_};
-    SimulationThread simulation(request.scene, options);
+    SimulationThread simulation(request.scene, {threads_, cache_, request.notes});
     const RecordingPtr recording = simulation.recording();
-    for (const std::string& note : request.notes)
-        recording->add_note(note);
     std::unique_ptr<MetricsEngine> metrics;
     const int total = request.scene->timeline.last_frame;
     int taken = 0;

@@ -24,6 +24,8 @@ public:
     void run() {
         const auto start = Clock::now();
         recording_.set_threads(options_.threads);
+        for (const std::string& note : options_.notes)
+            recording_.add_note(note);
         PreparedScene prepared = prepare_scene(scene_, options_.threads, control_, options_.cache.get());
         solver_ = std::make_unique<SceneSolver>(scene_, prepared, options_.threads);
         released_.assign(solver_->muscle_count(), 0);

@@ -158,6 +158,28 @@ TEST_CASE("Esc closes an open list first, and what was chosen outlasts the quest
     CHECK(d.document().scene().model_motion == nullptr);
 }
 
+TEST_CASE("A dialog that is opened again while a scene loads keeps what is chosen in it",
+          "[editor][ui][osim]") {
+    const OsimFiles files;
+    Driver d;
+    open_dialog(d);
+    choose(d, files.path("arm.osim"));
+    choose(d, files.path("trial.mot"));
+    d.click("osim/stand_in");
+    d.click("osim/stand_in/flexor_r");
+    std::string why;
+    const SceneRequest earlier = choice(d).finished(why);
+    REQUIRE(why.empty());
+    EditorContext context = d.editor().context();
+    context.features.opener.open(earlier);
+    wait_for(d, [&] { return d.document().scene().model_motion != nullptr; });
+    CHECK(d.has("osim/open"));
+    CHECK(choice(d).model() == files.path("arm.osim"));
+    CHECK(choice(d).rows().size() == 1);
+    d.click("osim/cancel");
+    CHECK(choice(d).model().empty());
+}
+
 TEST_CASE("A model that cannot be read is told in the dialog", "[editor][ui][osim]") {
     const OsimFiles files;
     write_file(files.path("broken.osim"), "<OpenSimDocument Version=\"40000\"><Model>");

@@ -134,6 +134,22 @@ TEST_CASE("cancelling keeps the frames so far", "[simulation]") {
     CHECK(recording.frame_count() < 10);
 }
 
+TEST_CASE("what loading had to say stands before the notes of the run", "[simulation]") {
+    const auto notes_of = [](const std::vector<std::string>& of_loading) {
+        Scene scene = make_embedded_scene("hip");
+        scene.timeline.last_frame = 1;
+        Recording recording(std::make_shared<Scene>(std::move(scene)));
+        run_simulation(recording, {1, nullptr, of_loading}, {});
+        return recording.notes();
+    };
+    const std::vector<std::string> own = notes_of({});
+    std::vector<std::string> wanted = {"units: mm", "two islands"};
+    const std::vector<std::string> given = wanted;
+    wanted.insert(wanted.end(), own.begin(), own.end());
+    CHECK_FALSE(own.empty()); // or there is no order
+    CHECK(notes_of(given) == wanted);
+}
+
 TEST_CASE("a run on its own thread is read while it grows, and stops with its owner",
           "[simulation][thread]") {
     RecordingPtr recording;

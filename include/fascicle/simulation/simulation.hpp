@@ -17,6 +17,8 @@ struct SimulationOptions {
     /// Where distance grids are looked for and left, so that the next run of the same bones need not make them;
     /// changes nothing in the result. May be null.
     std::shared_ptr<BlobStore> cache = {};
+    /// What loading had to say: the first notes of the recording, whatever the thread of the run does meanwhile.
+    std::vector<std::string> notes = {};
 };
 
 /// Runs to the end, on this thread. The recording receives notes, attachments, frame 0 (rest) and then every

@@ -12,10 +12,8 @@ RecordingPtr run_scene(ScenePtr scene, const RunSceneOptions& options, ProgressD
                        const std::function<void(const Recording&, const FramePtr&)>& on_frame) {
     const std::atomic<bool>& interrupted = watch_interrupts();
     const int total = scene->timeline.last_frame;
-    SimulationThread simulation(std::move(scene), {options.threads, open_cache()});
+    SimulationThread simulation(std::move(scene), {options.threads, open_cache(), options.notes});
     RecordingPtr recording = simulation.recording();
-    for (const std::string& note : options.notes)
-        recording->add_note(note);
 
     int taken = 0;
     for (bool done = false; !done;) {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 namespace fascicle::editor {
 
@@ -61,13 +62,13 @@ void OsimDialog::open() {
 }
 
 void OsimDialog::close() {
-    if (in_front_)
-        forget();
+    if (std::exchange(in_front_, false))
+        choice_.clear();
 }
 
-void OsimDialog::forget() {
-    choice_.clear();
-    in_front_ = false;
+void OsimDialog::document_replaced() {
+    if (!in_front_)
+        choice_.clear();
 }
 
 void OsimDialog::draw_facts(EditorContext& context) {

@@ -13,7 +13,7 @@ public:
     /// With what was chosen last, if its scene has not been opened since.
     void open();
     void close() override;
-    void forget(); ///< what was chosen
+    void document_replaced(); ///< what was chosen has become a scene, unless somebody is choosing again
     bool busy() const override { return choice_.reading(); }
     void draw(EditorContext& context) override;
     OsimChoice& choice() { return choice_; } ///< for tests
