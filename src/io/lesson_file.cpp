@@ -79,9 +79,9 @@ std::vector<std::pair<std::string, std::string>> pairs(const io::JsonFields& fie
 }
 
 const Names& view_keys() {
-    static const Names keys{"colouring",    "frame",      "play",       "wireframe",
-                            "attachments",  "rest_ghost", "joint_axis", "side_panel",
-                            "bottom_panel", "look",       "select",     "hide"};
+    static const Names keys{"colouring",  "frame",      "play",        "wireframe",    "attachments",
+                            "rest_ghost", "joint_axis", "side_panel",  "bottom_panel", "look",
+                            "select",     "hide",       "bone_opacity"};
     return keys;
 }
 

@@ -71,7 +71,8 @@ private:
     double py(double y) const { return bottom_ - (y - y_.low) / (y_.high - y_.low) * (bottom_ - top_); }
 
     Ticks y_ticks(double top) const {
-        return nice_ticks(y_.low, y_.high, std::max(1, static_cast<int>((height_ - top - 40) / 28)));
+        const double room = height_ - top - 40;
+        return scale_ticks(y_.low, y_.high, std::max(1, static_cast<int>(room / 28)), 14 / room);
     }
 
     void layout(double top, const Ticks& rows) {

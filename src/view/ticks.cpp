@@ -32,6 +32,16 @@ Ticks nice_ticks(double low, double high, int count) {
     return {first, step, static_cast<int>(std::floor((high - first) / step + 1e-9)) + 1};
 }
 
+Ticks scale_ticks(double low, double high, int count, double closest) {
+    const Ticks ticks = nice_ticks(low, high, count);
+    constexpr int always_two = 5; // from here on steps are no longer than half of the range
+    for (int finer = count + 1; ticks.count < 2 && finer <= std::max(count, always_two); ++finer)
+        if (const Ticks more = nice_ticks(low, high, finer);
+            more.count > 1 && more.step >= closest * (high - low))
+            return more;
+    return ticks;
+}
+
 std::string tick_text(double value, double step) {
     if (std::abs(value) < step * 1e-6)
         value = 0; // not "-0"

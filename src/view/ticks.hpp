@@ -14,6 +14,8 @@ struct Ticks {
     double at(int i) const { return first + step * i; }
 };
 Ticks nice_ticks(double low, double high, int count);
+/// The same, but two at least where they are no closer than `closest`, a share of the range: one alone tells no scale.
+Ticks scale_ticks(double low, double high, int count, double closest);
 /// A number with just the decimals that tell ticks `step` apart.
 std::string tick_text(double value, double step);
 

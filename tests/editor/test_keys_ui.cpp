@@ -74,6 +74,15 @@ TEST_CASE("Ctrl+K finds a command by parts of its name and runs it", "[editor][u
 
     d.key(key_k, {.ctrl = true});
     d.frame(3);
+    d.type("frame");
+    d.frame(2);
+    CHECK(d.has("search/Frame selection")); // listed first, but nothing is selected
+    d.key(key_enter);
+    d.frame(3);
+    CHECK_FALSE(d.has("search/text"));
+
+    d.key(key_k, {.ctrl = true});
+    d.frame(3);
     d.type("no such thing");
     d.key(key_enter);
     CHECK(d.has("search/text")); // nothing to run: it stays

@@ -172,6 +172,23 @@ TEST_CASE("Ticks are written with as many decimals as tell them apart, and never
     CHECK(nice_ticks(0, std::numeric_limits<double>::infinity(), 4).count == 0);
 }
 
+TEST_CASE("An axis has two ticks at least where there is room, since one tells no scale", "[view][chart]") {
+    CHECK(nice_ticks(90, 310, 2).count == 1);
+    CHECK(scale_ticks(90, 310, 2, 0.3).count == 3); // 100, 200, 300
+    CHECK(scale_ticks(90, 310, 2, 0.5).count == 1); // would be too close
+    for (const double low : {-3.7, 0.0, 0.9971, 1e-5, -2e6})
+        for (const double span : {1e-4, 0.37, 0.8, 1.0, 55.0, 3e6})
+            for (int count = 1; count <= 9; ++count) {
+                INFO(low << " + " << span << ", " << count);
+                const Ticks wide = nice_ticks(low, low + span, count),
+                            ticks = scale_ticks(low, low + span, count, 0.2 - 1e-9);
+                CHECK(ticks.count >= 2);
+                CHECK((ticks.count == wide.count || (wide.count < 2 && ticks.count <= 6)));
+                CHECK(ticks.step >= (0.2 - 1e-6) * span * (wide.count < 2 ? 1 : 0));
+            }
+    CHECK(scale_ticks(1, 1, 4, 0.1).count == 0);
+}
+
 TEST_CASE("Text in SVG and HTML is escaped", "[view][chart]") {
     CHECK(xml_escaped("a<b>&\"'\x01") == "a&lt;b&gt;&amp;&quot;&#39;");
     CHECK(xml_escaped("angle [\xC2\xB0]") == "angle [\xC2\xB0]");

@@ -32,7 +32,7 @@ struct LessonStep {
     /// Set when the step begins, parameters as ParamSet::set_text reads them.
     std::vector<std::pair<std::string, std::string>> parameters;
     /// colouring NAME, frame N, play on|off, wireframe, attachments, rest_ghost, joint_axis on|off, side_panel ID,
-    /// bottom_panel ID, look SIDE, select NAME, hide NAME (again for more; any hide replaces those before).
+    /// bottom_panel ID, look SIDE, select NAME, hide NAME (again for more; any hide replaces those before), bone_opacity 0 to 1.
     std::vector<std::pair<std::string, std::string>> view;
     /// Names of controls; a trailing * stands for the rest. What is highlighted is never locked.
     std::vector<std::string> locked, highlighted;

@@ -60,7 +60,7 @@ int match_quality(std::string_view text, std::string_view name) {
 void CommandSearch::open() {
     open_ = appears_ = true;
     text_.clear();
-    chosen_ = 0;
+    is_new_ = true;
 }
 
 void CommandSearch::draw(EditorContext& context) {
@@ -81,7 +81,7 @@ void CommandSearch::draw(EditorContext& context) {
     appears_ = false;
     ImGui::SetNextItemWidth(-1);
     if (ImGui::InputTextWithHint("##search", "What do you want to do?", &text_))
-        chosen_ = 0;
+        is_new_ = true;
     record_item("search/text");
     draw_list(context);
     if (run_)
@@ -101,6 +101,11 @@ void CommandSearch::draw_list(EditorContext& context) {
         ImGui::TextUnformatted("No command has these words.");
         ImGui::PopStyleColor();
         return;
+    }
+    if (std::exchange(is_new_, false)) {
+        const auto runs = [&](const Found& f) { return command_state(context, f.row->command).enabled; };
+        const auto first = std::find_if(found.begin(), found.end(), runs);
+        chosen_ = first == found.end() ? 0 : static_cast<int>(first - found.begin());
     }
     const int before = chosen_;
     if (ImGui::IsKeyPressed(key_down))

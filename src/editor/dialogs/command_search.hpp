@@ -16,7 +16,8 @@ private:
     void draw_list(EditorContext& context);
 
     std::string text_;
-    int chosen_ = 0; ///< row of the list
+    int chosen_ = 0;     ///< row of the list
+    bool is_new_ = true; ///< the list is another one: the first row that can be run is chosen
     bool open_ = false, appears_ = false;
     std::optional<Command> run_; ///< after the window is closed
 };

@@ -137,6 +137,7 @@ void LessonPlayer::document_replaced(EditorContext& context) {
     state.colouring = view::Colouring::anatomy;
     state.wireframe = state.rest_ghost = false;
     state.attachments = state.joint_axis = true;
+    state.muscle_opacity = state.bone_opacity = 1;
     state.side_panel = "parameters";
     state.bottom_panel = "plots";
     state.layout.show_right = state.layout.show_bottom = state.layout.show_lesson = true;

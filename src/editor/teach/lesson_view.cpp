@@ -46,6 +46,8 @@ std::string fault(const std::string& key, const std::string& text) {
         return "no colouring '" + text + "'";
     if (key == "frame" && (!parse_number(text, number) || number < 0 || number > 3e6))
         return "frame '" + text + "' is no number from 0 to 3000000";
+    if (key == "bone_opacity" && (!parse_number(text, number) || number < 0 || number > 1))
+        return "bone_opacity '" + text + "' is no number from 0 to 1";
     if (is_switch(key) && text != "on" && text != "off")
         return key + " '" + text + "' is neither on nor off";
     if (key == "side_panel" && !is_panel(text, Place::parameters))
@@ -107,6 +109,10 @@ void apply_view(EditorContext& context, const std::vector<std::pair<std::string,
             double frame = 0;
             parse_number(text, frame);
             context.move_playhead(static_cast<int>(frame));
+        } else if (key == "bone_opacity") {
+            double opacity = 1;
+            parse_number(text, opacity);
+            state.bone_opacity = static_cast<float>(opacity);
         } else if (key == "look") {
             for (const auto& [name, side] : sides)
                 if (text == name)
@@ -136,6 +142,8 @@ std::string view_text(const EditorState& state, const std::string& key, const st
         return state.selection.name;
     if (key == "frame")
         return std::to_string(state.playback.playhead());
+    if (key == "bone_opacity")
+        return number_text(static_cast<double>(state.bone_opacity));
     if (key == "hide")
         return state.visible(wanted) ? std::string() : wanted;
     return {};

@@ -27,6 +27,7 @@ Rect draw_badge(ImDrawList& list, ImVec2 at, Align align, std::string_view text,
 void draw_hatching(ImDrawList& list, const Rect& rect, ImU32 colour, float spacing, float thickness);
 
 using view::nice_ticks;
+using view::scale_ticks;
 using view::tick_text;
 using view::Ticks;
 /// Four significant digits, or so; "-" when it is not finite.

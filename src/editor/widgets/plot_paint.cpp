@@ -22,7 +22,8 @@ void draw_grid(ImDrawList& list, const PlotAxes& axes, const PlotInput& input, c
     if (!input.compact)
         list.AddRectFilled(area.min, area.max, theme.plot);
     const Ticks rows =
-        nice_ticks(axes.y0, axes.y1, std::max(2, static_cast<int>(area.height() / (line_height * 1.9f))));
+        scale_ticks(axes.y0, axes.y1, std::max(2, static_cast<int>(area.height() / (line_height * 1.9f))),
+                    line_height / area.height());
     for (int i = 0; i < rows.count; ++i) {
         const float y = std::round(axes.y(rows.at(i)));
         list.AddLine({area.min.x, y}, {area.max.x, y}, theme.grid);
