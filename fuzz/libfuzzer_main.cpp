@@ -1,8 +1,6 @@
 // A program of libFuzzer, for a group of targets: fascicle_fuzz_GROUP --target=NAME [libFuzzer's options] [corpus folders];
 // --list names the targets, each with its length, dictionary and seeds.
 
-#include "fuzz/check.hpp"
-#include "fuzz/memory_guard.hpp"
 #include "fuzz/target.hpp"
 
 #include <cstdint>
@@ -15,23 +13,6 @@ namespace {
 
 const fascicle::fuzz::Target* chosen = nullptr;
 constexpr const char* variable = "FASCICLE_FUZZ_TARGET"; // for the processes that libFuzzer starts itself
-
-/// Live bytes that an input has added.
-std::ptrdiff_t growth(std::string_view bytes) {
-    const std::size_t before = fascicle::fuzz::live_memory();
-    fascicle::fuzz::run_guarded(*chosen, bytes);
-    return static_cast<std::ptrdiff_t>(fascicle::fuzz::live_memory() - before);
-}
-
-/// What is made once and kept is not made again, and a container that has grown has room: an input that needs more each time leaks.
-/// (libFuzzer's own search, -detect_leaks, has a call for each allocation, and none of it is found without malloc_context_size.)
-void check_leaks(std::string_view bytes) {
-    constexpr int times = 8;
-    for (int i = 0; i < times; ++i)
-        if (growth(bytes) <= 0)
-            return;
-    fascicle::fuzz::failed("all memory is given back", __FILE__, __LINE__);
-}
 
 } // namespace
 
@@ -63,8 +44,6 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-    if (growth(bytes) > 0)
-        check_leaks(bytes);
+    fascicle::fuzz::run_guarded(*chosen, {reinterpret_cast<const char*>(data), size});
     return 0;
 }

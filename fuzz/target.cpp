@@ -40,6 +40,21 @@ Stopwatch& stopwatch() {
     return watch;
 }
 
+/// What is made once and kept is not made again, and a container that has grown has room: an input that needs more each time leaks.
+/// (libFuzzer's own search, -detect_leaks, has a call for each allocation, and none of it is found without malloc_context_size.)
+void check_leaks(const Target& target, std::string_view bytes) {
+    constexpr int times = 8;
+    std::size_t kept = 0;
+    for (int i = 0; i < times; ++i) {
+        const std::size_t before = live_memory();
+        target.run(bytes);
+        if (live_memory() <= before)
+            return;
+        kept = live_memory() - before;
+    }
+    failed("all memory is given back", __FILE__, __LINE__, std::to_string(kept) + " bytes more each time");
+}
+
 } // namespace
 
 const Target* find_target(std::string_view name) {
@@ -62,6 +77,8 @@ std::size_t run_guarded(const Target& target, std::string_view bytes) {
         most > allowed)
         failed("memory stays within a small multiple of the file", __FILE__, __LINE__,
                std::to_string(most) + " bytes, allowed are " + std::to_string(allowed));
+    if (live_memory() > before)
+        check_leaks(target, bytes);
     return most;
 }
 

@@ -71,7 +71,7 @@ private:
     double py(double y) const { return bottom_ - (y - y_.low) / (y_.high - y_.low) * (bottom_ - top_); }
 
     Ticks y_ticks(double top) const {
-        const double room = height_ - top - 40;
+        const double room = std::max(1.0, height_ - top - 40);
         return scale_ticks(y_.low, y_.high, std::max(1, static_cast<int>(room / 28)), 14 / room);
     }
 
@@ -92,7 +92,8 @@ private:
                          false, ink_.faint);
         }
         const Ticks columns =
-            nice_ticks(x_.low, x_.high, std::max(1, static_cast<int>((right_ - left_) / 62)));
+            scale_ticks(x_.low, x_.high, std::max(1, static_cast<int>((right_ - left_) / 62)),
+                        40 / std::max(1.0, right_ - left_));
         for (int i = 0; i < columns.count; ++i) {
             canvas_.line({px(columns.at(i)), top_}, {px(columns.at(i)), bottom_}, {ink_.grid, 1});
             canvas_.text({px(columns.at(i)), bottom_ + 14}, 11, tick_text(columns.at(i), columns.step),

@@ -76,10 +76,13 @@ TEST_CASE("Ctrl+K finds a command by parts of its name and runs it", "[editor][u
     d.frame(3);
     d.type("frame");
     d.frame(2);
-    CHECK(d.has("search/Frame selection")); // listed first, but nothing is selected
-    d.key(key_enter);
+    CHECK(d.rect("search/Frame selection").min.y < d.rect("search/Frame everything").min.y);
+    d.state().camera.zoom(3, 50, 50, {100, 100});
+    const double distance = d.state().camera.distance();
+    d.key(key_enter); // nothing is selected: the first that can be run is
     d.frame(3);
     CHECK_FALSE(d.has("search/text"));
+    CHECK(d.state().camera.distance() < distance);
 
     d.key(key_k, {.ctrl = true});
     d.frame(3);

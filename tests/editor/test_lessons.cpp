@@ -334,13 +334,20 @@ TEST_CASE("Another scene opened from within a lesson ends it, and unsaved work c
     Driver d;
     d.frame(3);
     actions::set_parameter(d.document(), "solver.pressure", 1.2);
+    d.state().muscle_opacity = 0.7f;
+    d.state().wireframe = true;
     d.frame(2);
     begin(d, "volume");
+    CHECK(d.state().muscle_opacity == 1.0f);
+    CHECK_FALSE(d.state().wireframe);
     d.editor().features().opener.open_scene({test::small_scene(), {}, {}});
     d.frame(3);
     CHECK_FALSE(player(d).active());
     CHECK_FALSE(d.state().layout.show_lesson);
     CHECK(control_guard() == nullptr);
+    CHECK(d.state().muscle_opacity == 0.7f); // how things are drawn is the user's again
+    CHECK(d.state().bone_opacity == 1.0f);
+    CHECK(d.state().wireframe);
     REQUIRE(player(d).set_aside() != nullptr);
     d.editor().run(Command::leave_lesson);
     d.frame(3);
@@ -370,10 +377,15 @@ TEST_CASE("A lesson of one's own is checked before anything is opened", "[editor
         CHECK_FALSE(player(d).loading());
     }
     CHECK_THROWS_AS(player(d).start("no such lesson"), Error);
-    with(", \"view\": {\"wireframe\": true}");
+    with(
+        ", \"view\": {\"wireframe\": true, \"bone_opacity\": 0.5}, \"task\": \"See through\", \"done_when\": "
+        "[{\"view\": \"bone_opacity\", \"is\": \"0.4\"}]");
     player(d).start_file(file);
     CHECK(player(d).loading());
     wait_for(d, [&] { return player(d).active(); });
     CHECK(d.state().wireframe);
+    CHECK_FALSE(player(d).done(0));
+    d.state().bone_opacity = 0.4f; // as no double is
+    d.frame(3);
     CHECK(player(d).done(0)); // nothing to do but to read
 }

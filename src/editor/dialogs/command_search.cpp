@@ -102,12 +102,16 @@ void CommandSearch::draw_list(EditorContext& context) {
         ImGui::PopStyleColor();
         return;
     }
+    const int before = chosen_;
     if (std::exchange(is_new_, false)) {
-        const auto runs = [&](const Found& f) { return command_state(context, f.row->command).enabled; };
-        const auto first = std::find_if(found.begin(), found.end(), runs);
+        const std::string text = lower(text_);
+        const auto is_meant =
+            [&](const Found& f) { // one that is named in full is meant, whether it can be run or not
+                return lower(f.row->label) == text || command_state(context, f.row->command).enabled;
+            };
+        const auto first = std::find_if(found.begin(), found.end(), is_meant);
         chosen_ = first == found.end() ? 0 : static_cast<int>(first - found.begin());
     }
-    const int before = chosen_;
     if (ImGui::IsKeyPressed(key_down))
         ++chosen_;
     if (ImGui::IsKeyPressed(key_up))

@@ -24,6 +24,17 @@ struct Opened {
     std::unique_ptr<Quiz> quiz;
 };
 
+/// How things are drawn is the user's again, whatever scene is open now.
+void take_looks(const EditorState& before, EditorState& now) {
+    now.colouring = before.colouring;
+    now.wireframe = before.wireframe;
+    now.rest_ghost = before.rest_ghost;
+    now.attachments = before.attachments;
+    now.joint_axis = before.joint_axis;
+    now.muscle_opacity = before.muscle_opacity;
+    now.bone_opacity = before.bone_opacity;
+}
+
 /// Values of metrics count only when they are of the parameters that are set now.
 bool run_is_current(const EditorContext& context) {
     return !context.runs.outdated() && context.runs.valid_count() > 0 &&
@@ -119,6 +130,8 @@ void LessonPlayer::document_replaced(EditorContext& context) {
         if (!active())
             return;
         end(context);
+        if (kept_ != nullptr)
+            take_looks(kept_->state, context.state);
         if (kept_ != nullptr && kept_->document.dirty())
             context.log.add(
                 Severity::warning,

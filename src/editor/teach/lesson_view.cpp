@@ -4,6 +4,7 @@
 #include "fascicle/base/error.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fascicle::editor {
 
@@ -143,7 +144,8 @@ std::string view_text(const EditorState& state, const std::string& key, const st
     if (key == "frame")
         return std::to_string(state.playback.playhead());
     if (key == "bone_opacity")
-        return number_text(static_cast<double>(state.bone_opacity));
+        return number_text(std::round(1e4 * static_cast<double>(state.bone_opacity)) /
+                           1e4); // as it is written
     if (key == "hide")
         return state.visible(wanted) ? std::string() : wanted;
     return {};

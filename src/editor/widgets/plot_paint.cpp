@@ -34,8 +34,9 @@ void draw_grid(ImDrawList& list, const PlotAxes& axes, const PlotInput& input, c
     }
     const float wide = text_size("-0.000").x;
     const double unit = input.x_unit > 0 ? input.x_unit : 1;
-    const Ticks columns = nice_ticks(axes.x0 * unit, axes.x1 * unit,
-                                     std::max(1, static_cast<int>(area.width() / (wide * 1.9f))));
+    const Ticks columns =
+        scale_ticks(axes.x0 * unit, axes.x1 * unit,
+                    std::max(1, static_cast<int>(area.width() / (wide * 1.9f))), wide / area.width());
     for (int i = 0; i < columns.count; ++i) {
         const float x = std::round(axes.x(columns.at(i) / unit));
         list.AddLine({x, area.min.y}, {x, area.max.y}, theme.grid);
