@@ -86,6 +86,8 @@ public:
     /// Newton's method with halved steps. True when it ends at a path that meets q ahead of it.
     bool solve(double& angle, double& length) const {
         constexpr double nudge = 1e-6;
+        if (!std::isfinite(angle) || !std::isfinite(length))
+            return false; // radii so far apart that their squares have no digits
         for (int round = 0; round < 40; ++round) {
             const int steps = tracer_.steps(length);
             const SurfaceRay end = tracer_.trace(start(angle), length, steps, nullptr);

@@ -311,3 +311,9 @@ TEST_CASE("ellipsoid: ends on the surface, grazing lines, flat shapes", "[anatom
     CHECK(total(disc, t, u) > 2);
     CHECK(total(disc, t, u) < 2.5);
 }
+
+TEST_CASE("Radii without digits in common have no geodesic", "[anatomy][wrap]") {
+    const EllipsoidPath path =
+        ellipsoid_geodesic({0.1e307, 0.1, 0.7}, {0.1, 0.2, 0.9}, {-0.1, -0.2, -0.9}, 0, 0, nullptr);
+    CHECK_FALSE(path.geodesic);
+}

@@ -4,6 +4,7 @@
 #include "fascicle/io/attachment_file.hpp"
 #include "fascicle/io/csv.hpp"
 #include "fascicle/io/format_registry.hpp"
+#include "fascicle/io/osim_file.hpp"
 #include "fascicle/io/png.hpp"
 #include "fascicle/io/preset_file.hpp"
 #include "fascicle/io/project_file.hpp"
@@ -342,4 +343,27 @@ TEST_CASE("A muscle of a model without a name is a usage error", "[io][fuzz]") {
                           Contains("--muscle") && Contains("MESH=BODY"));
     CHECK(parse_mesh_of_bodies("--muscle", "iliacus_r").bodies.empty());
     CHECK(parse_mesh_of_bodies("--muscle", "a=b.vtk=pelvis,femur_r").mesh == "a=b.vtk");
+}
+
+TEST_CASE("A wrap object of a model has sizes that can be reckoned with", "[io][fuzz][osim]") {
+    const auto read = [](const std::string& object) {
+        read_osim("<OpenSimDocument Version=\"40000\"><Model name=\"t\"><Ground "
+                  "name=\"ground\"/><BodySet><objects><Body "
+                  "name=\"b\"><WrapObjectSet><objects>" +
+                      object +
+                      "</objects></WrapObjectSet></Body></objects></BodySet></Model></OpenSimDocument>",
+                  "a.osim");
+    };
+    const auto ellipsoid = [](const std::string& radii) {
+        return "<WrapEllipsoid name=\"w\"><dimensions>" + radii + "</dimensions></WrapEllipsoid>";
+    };
+    CHECK_NOTHROW(read(ellipsoid("0.05 0.03 0.01")));
+    CHECK_NOTHROW(read(ellipsoid("1e5 1 0.2")));
+    for (const char* radii : {"0.1e307 0.1 0.7", "1e308 1e308 1e308", "1e-320 1 1", "1 1e-7 1", "0 1 1"})
+        CHECK_THROWS_WITH(read(ellipsoid(radii)), Contains("a.osim") && Contains("'w' has no size"));
+    CHECK_THROWS_WITH(read("<WrapSphere name=\"w\"><radius>1e300</radius></WrapSphere>"),
+                      Contains("has no size"));
+    CHECK_THROWS_WITH(
+        read("<WrapCylinder name=\"w\"><radius>0.1</radius><length>1e300</length></WrapCylinder>"),
+        Contains("has no size"));
 }

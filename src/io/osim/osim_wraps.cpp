@@ -7,6 +7,13 @@
 
 namespace fascicle::io {
 
+namespace {
+
+/// m, and times the smallest radius: beyond them the squares that ways round a surface are made of have no digits in common.
+constexpr double largest = 1e6, flattest = 1e6;
+
+} // namespace
+
 void OsimReader::read_wrap_objects(pugi::xml_node set, int body) {
     for (const pugi::xml_node node : members(set)) {
         const std::string_view type = node.name();
@@ -22,11 +29,13 @@ void OsimReader::read_wrap_objects(pugi::xml_node set, int body) {
             surface.shape = type == "WrapSphere" ? WrapShape::sphere : WrapShape::cylinder;
             surface.radius = document_.number(node, "radius", 0);
             surface.length = document_.number(node, "length", 0);
-            sizes = surface.radius > 0 && (type == "WrapSphere" || surface.length > 0);
+            sizes = surface.radius > 0 && surface.radius <= largest &&
+                    (type == "WrapSphere" || (surface.length > 0 && surface.length <= largest));
         } else if (type == "WrapEllipsoid") {
             surface.shape = WrapShape::ellipsoid;
             surface.radii = document_.vector(node, "dimensions", Vec3::Zero());
-            sizes = surface.radii.minCoeff() > 0;
+            sizes = surface.radii.minCoeff() > 0 && surface.radii.maxCoeff() <= largest &&
+                    surface.radii.maxCoeff() <= flattest * surface.radii.minCoeff();
         } else if (type == "WrapTorus") {
             surface.shape = WrapShape::torus;
         } else {
@@ -35,7 +44,7 @@ void OsimReader::read_wrap_objects(pugi::xml_node set, int body) {
         }
         if (!sizes)
             document_.fail(node, "wrap object '" + object.name + "' has no size",
-                           "radius, length or dimensions above 0");
+                           "radius, length or dimensions above 0, at most 1e6 m and 1e6 times each other");
         const std::string side = lower_case(OsimDocument::text(node, "quadrant"));
         if (!side.empty() && side != "all" && side != "unassigned") {
             const std::size_t axis = std::string_view("xyz").find(side.back());
