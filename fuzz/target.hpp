@@ -27,7 +27,8 @@ const std::vector<Target>& targets();
 /// Null when there is none of that name.
 const Target* find_target(std::string_view name);
 
-/// Runs the target on the bytes, watches its memory, and again where some is kept: if it is each time, it leaks. Returns the largest live heap, bytes, beyond what was there.
+/// Runs the target on the bytes and watches its memory; where some is kept it is run again: if that is so each time, it leaks.
+/// Returns the largest live heap, bytes, beyond what was there.
 std::size_t run_guarded(const Target& target, std::string_view bytes);
 
 } // namespace fascicle::fuzz

@@ -1,16 +1,9 @@
-#include "editor/dialogs/dialogs.hpp"
 #include "editor/driver.hpp"
-#include "editor/features.hpp"
 #include "editor/param_effect.hpp"
 #include "fascicle/document/actions/parameter_actions.hpp"
-#include "fascicle/io/files.hpp"
 #include "support/shapes.hpp"
-#include "support/temp_dir.hpp"
 
 #include <catch2/catch.hpp>
-#include <chrono>
-#include <functional>
-#include <thread>
 
 using namespace fascicle;
 using namespace fascicle::editor;
@@ -415,70 +408,6 @@ TEST_CASE("A name that was being typed is kept when something else is clicked", 
     d.frame(2);
     CHECK(d.document().scene().bones[0].name == bone);
     CHECK(d.state().selection.name == "gracilis");
-}
-
-namespace {
-
-/// Files are read on a thread of their own: frames go by until it has come to something, for ten seconds at most.
-void frames_until(Driver& d, const std::function<bool()>& there) {
-    for (int i = 0; i < 5000 && !there(); ++i) {
-        d.frame();
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-}
-
-} // namespace
-
-TEST_CASE("A mesh that is dropped while a question is open waits for the answer", "[editor][ui]") {
-    const test::TempDir folder;
-    const auto file = folder.path() / "patella.obj";
-    write_file(file, "v 0 0 0\nv 30 0 0\nv 0 30 0\nv 0 0 30\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
-    Driver d;
-    d.frame(3);
-    d.editor().dialogs().unsaved.ask("closing the program", [](EditorContext&) {});
-    d.frame(3);
-    REQUIRE(d.has("unsaved/cancel"));
-    d.editor().drop_files({file});
-    frames_until(d, [&] { return !d.editor().features().loader.reading(); });
-    d.frame(3);
-    CHECK(d.has("unsaved/cancel")); // still in front
-    CHECK_FALSE(d.has("mesh/bone"));
-    d.key(key_escape); // answers the question alone
-    frames_until(d, [&] { return d.has("mesh/bone"); });
-    CHECK(d.has("mesh/bone"));
-    CHECK_FALSE(d.has("unsaved/cancel"));
-    d.key(key_escape);
-    d.frame(3);
-    CHECK_FALSE(d.has("mesh/bone"));
-    CHECK(d.document().scene().bones.size() == 2);
-}
-
-TEST_CASE("A dropped mesh is previewed and added as what the user says", "[editor][ui]") {
-    const test::TempDir folder;
-    const auto file = folder.path() / "patella.obj";
-    write_file(file, "v 0 0 0\nv 30 0 0\nv 0 30 0\nv 0 0 30\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
-    Driver d;
-    d.frame(3);
-    d.editor().drop_files({file});
-    frames_until(d, [&] { return d.has("mesh/bone"); });
-    d.frame(3); // the dialog has its place now
-    d.click("mesh/bone");
-    d.click("mesh/add");
-    d.frame(3);
-    REQUIRE(d.document().scene().bones.size() == 3);
-    CHECK(d.document().scene().bones[2].name == "patella");
-    CHECK(d.document().scene().timeline.bone_tracks[2].moves());
-    CHECK(steps(d) == 2);
-    CHECK_FALSE(d.has("mesh/add"));
-    CHECK(d.has("tree/patella"));
-
-    d.editor().drop_files({folder.path() / "missing.obj"});
-    frames_until(d, [&] { return d.editor().log().unseen_errors() > 0; });
-    CHECK(d.editor().log().unseen_errors() > 0);
-    d.click("mesh/cancel");
-    CHECK(d.document().scene().bones.size() == 3);
-    d.key(key_z, {.ctrl = true});
-    CHECK(d.document().scene().bones.size() == 2);
 }
 
 TEST_CASE("A failed run says why, and a message opens its panel", "[editor][ui]") {

@@ -1,6 +1,7 @@
 // Meshes through the dialog: one, many, broken and open ones, units, axes, filled holes.
 #include "editor/dialogs/dialogs.hpp"
 #include "editor/driver.hpp"
+#include "editor/features.hpp"
 #include "fascicle/geometry/volume.hpp"
 #include "fascicle/io/files.hpp"
 #include "fascicle/io/format_registry.hpp"
@@ -55,6 +56,52 @@ std::size_t steps(Driver& d) {
 }
 
 } // namespace
+
+TEST_CASE("A mesh that is dropped while a question is open waits for the answer", "[editor][ui][load]") {
+    const test::TempDir folder;
+    const fs::path file = write(folder.path() / "patella.obj", test::box(30, 30, 30));
+    Driver d;
+    d.frame(3);
+    d.editor().dialogs().unsaved.ask("closing the program", [](EditorContext&) {});
+    d.frame(3);
+    REQUIRE(d.has("unsaved/cancel"));
+    d.editor().drop_files({file});
+    wait_for(d, [&] { return !d.editor().features().loader.reading(); });
+    CHECK(d.has("unsaved/cancel")); // still in front
+    CHECK_FALSE(d.has("mesh/bone"));
+    d.key(key_escape); // answers the question alone
+    wait_for(d, [&] { return d.has("mesh/bone"); });
+    CHECK_FALSE(d.has("unsaved/cancel"));
+    d.key(key_escape);
+    d.frame(3);
+    CHECK_FALSE(d.has("mesh/bone"));
+    CHECK(d.document().scene().bones.size() == 2);
+}
+
+TEST_CASE("A dropped mesh is previewed and added as what the user says", "[editor][ui][load]") {
+    const test::TempDir folder;
+    const fs::path file = write(folder.path() / "patella.obj", test::box(30, 30, 30));
+    Driver d;
+    d.frame(3);
+    d.editor().drop_files({file});
+    wait_for(d, [&] { return d.has("mesh/bone"); });
+    d.click("mesh/bone");
+    d.click("mesh/add");
+    d.frame(3);
+    REQUIRE(d.document().scene().bones.size() == 3);
+    CHECK(d.document().scene().bones[2].name == "patella");
+    CHECK(d.document().scene().timeline.bone_tracks[2].moves());
+    CHECK(steps(d) == 2);
+    CHECK_FALSE(d.has("mesh/add"));
+    CHECK(d.has("tree/patella"));
+
+    d.editor().drop_files({folder.path() / "missing.obj"});
+    wait_for(d, [&] { return d.editor().log().unseen_errors() > 0; });
+    d.click("mesh/cancel");
+    CHECK(d.document().scene().bones.size() == 3);
+    d.key(key_z, {.ctrl = true});
+    CHECK(d.document().scene().bones.size() == 2);
+}
 
 TEST_CASE("Many dropped meshes become bones and muscles in one step", "[editor][ui][load]") {
     const test::TempDir folder;

@@ -360,10 +360,10 @@ TEST_CASE("A wrap object of a model has sizes that can be reckoned with", "[io][
     CHECK_NOTHROW(read(ellipsoid("0.05 0.03 0.01")));
     CHECK_NOTHROW(read(ellipsoid("1e5 1 0.2")));
     for (const char* radii : {"0.1e307 0.1 0.7", "1e308 1e308 1e308", "1e-320 1 1", "1 1e-7 1", "0 1 1"})
-        CHECK_THROWS_WITH(read(ellipsoid(radii)), Contains("a.osim") && Contains("'w' has no size"));
+        CHECK_THROWS_WITH(read(ellipsoid(radii)), Contains("a.osim") && Contains("'w' has a bad size"));
     CHECK_THROWS_WITH(read("<WrapSphere name=\"w\"><radius>1e300</radius></WrapSphere>"),
-                      Contains("has no size"));
+                      Contains("has a bad size"));
     CHECK_THROWS_WITH(
         read("<WrapCylinder name=\"w\"><radius>0.1</radius><length>1e300</length></WrapCylinder>"),
-        Contains("has no size"));
+        Contains("has a bad size"));
 }

@@ -19,8 +19,8 @@ struct EllipsoidPath {
 
 /// side_sign 0: the shortest path of all. 1 or -1: where the surface point nearest to the chord's middle lies on the other
 /// half (sign of coordinate side_axis), the search starts at the section through the mirrored point and must stay there.
-/// radii > 0, none above a million times another, about the origin; p, q on the surface or outside, and the segment between them passes through the surface: the
-/// caller checks. curve (may be null): cleared, then points from first to second, both included.
+/// radii > 0, none above a million times another, about the origin; p, q on the surface or outside, and the segment between
+/// them passes through the surface: the caller checks. curve (may be null): cleared, then points from first to second, both included.
 ///
 /// The surface is F = sum x_i^2 / a_i^2 - 1 = 0. A geodesic has x'' = -(x'^T H x' / |grad F|^2) grad F, H the second
 /// derivatives of F. In y = x / a it is a unit sphere: the tangent points from P = p / a are

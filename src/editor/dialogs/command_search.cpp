@@ -104,11 +104,11 @@ void CommandSearch::draw_list(EditorContext& context) {
     }
     const int before = chosen_;
     if (std::exchange(is_new_, false)) {
+        // One that is named in full is meant, whether it can be run or not.
         const std::string text = lower(text_);
-        const auto is_meant =
-            [&](const Found& f) { // one that is named in full is meant, whether it can be run or not
-                return lower(f.row->label) == text || command_state(context, f.row->command).enabled;
-            };
+        const auto is_meant = [&](const Found& f) {
+            return lower(f.row->label) == text || command_state(context, f.row->command).enabled;
+        };
         const auto first = std::find_if(found.begin(), found.end(), is_meant);
         chosen_ = first == found.end() ? 0 : static_cast<int>(first - found.begin());
     }

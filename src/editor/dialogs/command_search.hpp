@@ -17,7 +17,7 @@ private:
 
     std::string text_;
     int chosen_ = 0;     ///< row of the list
-    bool is_new_ = true; ///< the list is another one: the first row that can be run is chosen
+    bool is_new_ = true; ///< the list is another one, and what is meant of it not chosen yet
     bool open_ = false, appears_ = false;
     std::optional<Command> run_; ///< after the window is closed
 };

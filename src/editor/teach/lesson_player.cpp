@@ -24,15 +24,15 @@ struct Opened {
     std::unique_ptr<Quiz> quiz;
 };
 
-/// How things are drawn is the user's again, whatever scene is open now.
-void take_looks(const EditorState& before, EditorState& now) {
-    now.colouring = before.colouring;
-    now.wireframe = before.wireframe;
-    now.rest_ghost = before.rest_ghost;
-    now.attachments = before.attachments;
-    now.joint_axis = before.joint_axis;
-    now.muscle_opacity = before.muscle_opacity;
-    now.bone_opacity = before.bone_opacity;
+/// How things are drawn: a lesson begins with the standard, and its end gives back the user's, whatever scene is open then.
+void take_looks(const EditorState& from, EditorState& to) {
+    to.colouring = from.colouring;
+    to.wireframe = from.wireframe;
+    to.rest_ghost = from.rest_ghost;
+    to.attachments = from.attachments;
+    to.joint_axis = from.joint_axis;
+    to.muscle_opacity = from.muscle_opacity;
+    to.bone_opacity = from.bone_opacity;
 }
 
 /// Values of metrics count only when they are of the parameters that are set now.
@@ -147,10 +147,7 @@ void LessonPlayer::document_replaced(EditorContext& context) {
     furthest_ = 0;
     score_.reset();
     EditorState& state = context.state;
-    state.colouring = view::Colouring::anatomy;
-    state.wireframe = state.rest_ghost = false;
-    state.attachments = state.joint_axis = true;
-    state.muscle_opacity = state.bone_opacity = 1;
+    take_looks(EditorState(), state);
     state.side_panel = "parameters";
     state.bottom_panel = "plots";
     state.layout.show_right = state.layout.show_bottom = state.layout.show_lesson = true;

@@ -143,9 +143,10 @@ std::string view_text(const EditorState& state, const std::string& key, const st
         return state.selection.name;
     if (key == "frame")
         return std::to_string(state.playback.playhead());
-    if (key == "bone_opacity")
-        return number_text(std::round(1e4 * static_cast<double>(state.bone_opacity)) /
-                           1e4); // as it is written
+    if (key == "bone_opacity") { // 0.4, as it is written, not the float next to it
+        const double opacity = static_cast<double>(state.bone_opacity);
+        return number_text(std::round(1e4 * opacity) / 1e4);
+    }
     if (key == "hide")
         return state.visible(wanted) ? std::string() : wanted;
     return {};

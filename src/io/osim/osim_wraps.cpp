@@ -12,6 +12,10 @@ namespace {
 /// m, and times the smallest radius: beyond them the squares that ways round a surface are made of have no digits in common.
 constexpr double largest = 1e6, flattest = 1e6;
 
+bool is_size(double x) {
+    return x > 0 && x <= largest;
+}
+
 } // namespace
 
 void OsimReader::read_wrap_objects(pugi::xml_node set, int body) {
@@ -29,13 +33,12 @@ void OsimReader::read_wrap_objects(pugi::xml_node set, int body) {
             surface.shape = type == "WrapSphere" ? WrapShape::sphere : WrapShape::cylinder;
             surface.radius = document_.number(node, "radius", 0);
             surface.length = document_.number(node, "length", 0);
-            sizes = surface.radius > 0 && surface.radius <= largest &&
-                    (type == "WrapSphere" || (surface.length > 0 && surface.length <= largest));
+            sizes = is_size(surface.radius) && (type == "WrapSphere" || is_size(surface.length));
         } else if (type == "WrapEllipsoid") {
             surface.shape = WrapShape::ellipsoid;
             surface.radii = document_.vector(node, "dimensions", Vec3::Zero());
-            sizes = surface.radii.minCoeff() > 0 && surface.radii.maxCoeff() <= largest &&
-                    surface.radii.maxCoeff() <= flattest * surface.radii.minCoeff();
+            const double least = surface.radii.minCoeff(), most = surface.radii.maxCoeff();
+            sizes = is_size(least) && is_size(most) && most <= flattest * least;
         } else if (type == "WrapTorus") {
             surface.shape = WrapShape::torus;
         } else {
@@ -43,8 +46,9 @@ void OsimReader::read_wrap_objects(pugi::xml_node set, int body) {
             continue;
         }
         if (!sizes)
-            document_.fail(node, "wrap object '" + object.name + "' has no size",
-                           "radius, length or dimensions above 0, at most 1e6 m and 1e6 times each other");
+            document_.fail(
+                node, "wrap object '" + object.name + "' has a bad size",
+                "radius, length or dimensions above 0 and up to 1e6 m, no dimension 1e6 times another");
         const std::string side = lower_case(OsimDocument::text(node, "quadrant"));
         if (!side.empty() && side != "all" && side != "unassigned") {
             const std::size_t axis = std::string_view("xyz").find(side.back());
