@@ -254,8 +254,8 @@ TEST_CASE("osim: values that are wrong are told with their line", "[io][osim]") 
         return model4(two_pins, {}, {}, "<WrapObjectSet><objects>" + wrap + "</objects></WrapObjectSet>");
     };
     fails(with_wrap("<WrapSphere name=\"s\"><radius>-1</radius></WrapSphere>"),
-          "line 6: wrap object 's' has no size");
-    fails(with_wrap("<WrapEllipsoid name=\"s\"><dimensions>1 0 1</dimensions></WrapEllipsoid>"), "no size");
+          "line 6: wrap object 's' has a bad size");
+    fails(with_wrap("<WrapEllipsoid name=\"s\"><dimensions>1 0 1</dimensions></WrapEllipsoid>"), "bad size");
     fails(with_wrap("<WrapSphere name=\"s\"><radius>1</radius><quadrant>up</quadrant></WrapSphere>"),
           "quadrant is 'up'");
     fails(model4(joint4("ScrewJoint", "j", "ground", "thigh")), "'ScrewJoint'; expected one of CustomJoint");
